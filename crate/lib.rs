@@ -1,0 +1,1 @@
+//! Position and orientation of a rigid body from ranges.

@@ -1,0 +1,1 @@
+//! Draws plain data with wgpu.
