@@ -1,1 +1,11 @@
-//! Position and orientation of a rigid body from ranges.
+//! Position **and orientation** of a rigid body from ranges between sensors on it and known anchors.
+#![no_std]
+
+extern crate alloc;
+
+pub mod error;
+pub mod math;
+pub mod model;
+pub mod track;
+
+pub use error::{Error, Problem, Result};

@@ -1,0 +1,129 @@
+//! The one error type: what was wrong with the data, with the numbers in it.
+
+use alloc::{string::String, vec::Vec};
+use core::fmt;
+
+/// One thing wrong with a document (scenario or recording): where, what was found, what is allowed.
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(export))]
+pub struct Problem {
+    /// Where in the document, for example `anchors[2][0]`.
+    pub path: String,
+    /// What was found there.
+    pub value: String,
+    /// What is allowed.
+    pub limit: String,
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} is {}, allowed: {}", self.path, self.value, self.limit)
+    }
+}
+
+/// Why the data at hand give no answer. Programmer mistakes assert instead.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Error {
+    /// A document breaks its rules; every problem is listed.
+    Invalid {
+        /// What kind of document ("scenario", "recording").
+        document: &'static str,
+        /// All that is wrong with it.
+        problems: Vec<Problem>,
+    },
+    /// The text is not JSON of the expected shape.
+    Syntax {
+        /// What kind of document.
+        document: &'static str,
+        /// What the parser said, with line and column.
+        message: String,
+    },
+    /// A list has the wrong number of entries.
+    Size {
+        /// What was counted.
+        what: &'static str,
+        /// How many there were.
+        found: usize,
+        /// How many there must be.
+        expected: usize,
+    },
+    /// A number is not finite or out of its range.
+    Number {
+        /// What the number is.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+        /// What is allowed.
+        limit: &'static str,
+    },
+    /// The information about the state lost its rank: some motion of the body cannot be seen.
+    Unobservable {
+        /// What was being computed.
+        what: &'static str,
+        /// Number of ranges that were used.
+        ranges: usize,
+        /// Why, in a sentence.
+        reason: String,
+    },
+    /// A covariance is no longer positive definite within double precision.
+    NotPositiveDefinite {
+        /// Which matrix.
+        what: &'static str,
+        /// The pivot that was met.
+        pivot: f64,
+    },
+    /// An iteration did not settle.
+    NoConvergence {
+        /// Which iteration.
+        what: &'static str,
+        /// How many iterations were made.
+        iterations: usize,
+        /// Size of the last step.
+        last_step: f64,
+    },
+    /// A name that is not in the list.
+    UnknownName {
+        /// What kind of thing was named.
+        what: &'static str,
+        /// The name given.
+        name: String,
+        /// The names that exist.
+        known: String,
+    },
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Invalid { document, problems } => {
+                write!(f, "the {document} has {} problem(s)", problems.len())?;
+                problems.iter().try_for_each(|problem| write!(f, "; {problem}"))
+            }
+            Self::Syntax { document, message } => write!(f, "the {document} cannot be read: {message}"),
+            Self::Size { what, found, expected } => write!(f, "{found} {what} where {expected} are needed"),
+            Self::Number { what, value, limit } => write!(f, "{what} is {value}; it must be {limit}"),
+            Self::Unobservable { what, ranges, reason } => {
+                write!(f, "{what}: {ranges} ranges are not enough to find the pose. {reason}")
+            }
+            Self::NotPositiveDefinite { what, pivot } => write!(
+                f,
+                "{what} is not positive definite within double precision (pivot {pivot:e}): \
+                 the prior and the ranges differ too much in scale, or a motion of the body is not seen at all"
+            ),
+            Self::NoConvergence { what, iterations, last_step } => write!(
+                f,
+                "{what} did not settle within {iterations} iterations (last step {last_step:e}): \
+                 the data barely tell orientations apart"
+            ),
+            Self::UnknownName { what, name, known } => {
+                write!(f, "no {what} is called \"{name}\"; there are: {known}")
+            }
+        }
+    }
+}
+
+impl core::error::Error for Error {}
+
+/// Result of every fallible function of the crate.
+pub type Result<T> = core::result::Result<T, Error>;

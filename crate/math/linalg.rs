@@ -1,0 +1,96 @@
+//! Symmetric positive definite matrices of fixed small size, without heap and without trait bounds in signatures.
+
+use nalgebra::{SMatrix, SVector};
+
+/// A pivot smaller than this part of its diagonal entry carries no correct digit.
+pub(crate) const PIVOT_FLOOR: f64 = 1e-15;
+
+/// Inverse of a symmetric positive definite matrix by the sweep operator.
+///
+/// Only the lower triangle is read; the result is exactly symmetric.
+///
+/// # Errors
+/// The offending pivot, when the matrix is not positive definite within double precision.
+///
+/// ```
+/// use nalgebra::Matrix2;
+/// let inverse = rangelab::math::linalg::spd_inverse(&Matrix2::new(2.0, 0.0, 0.0, 4.0)).unwrap();
+/// assert_eq!(inverse, Matrix2::new(0.5, 0.0, 0.0, 0.25));
+/// assert!(rangelab::math::linalg::spd_inverse(&Matrix2::new(1.0, 1.0, 1.0, 1.0)).is_err());
+/// ```
+#[inline]
+pub fn spd_inverse<const D: usize>(matrix: &SMatrix<f64, D, D>) -> Result<SMatrix<f64, D, D>, f64> {
+    let mut a = *matrix;
+    for k in 0..D {
+        let pivot = a[(k, k)];
+        // Written so that NaN fails too.
+        if !(pivot > PIVOT_FLOOR * matrix[(k, k)] && pivot.is_finite()) {
+            return Err(pivot);
+        }
+        sweep(&mut a, k, 1.0 / pivot);
+    }
+    for j in 0..D {
+        for i in 0..j {
+            a[(i, j)] = -a[(j, i)];
+            a[(j, i)] = -a[(j, i)];
+        }
+        a[(j, j)] = -a[(j, j)];
+    }
+    Ok(a)
+}
+
+/// One sweep of the lower triangle on pivot `k`.
+#[inline]
+fn sweep<const D: usize>(a: &mut SMatrix<f64, D, D>, k: usize, inverse: f64) {
+    let mut row = [0.0; D];
+    for (i, entry) in row.iter_mut().enumerate() {
+        *entry = if i < k { a[(k, i)] } else { a[(i, k)] };
+    }
+    for j in 0..D {
+        if j == k {
+            continue;
+        }
+        let scaled = row[j] * inverse;
+        for i in j..D {
+            if i != k {
+                a[(i, j)] -= row[i] * scaled;
+            }
+        }
+    }
+    for i in 0..D {
+        let entry = if i == k { -inverse } else { row[i] * inverse };
+        if i < k {
+            a[(k, i)] = entry;
+        } else {
+            a[(i, k)] = entry;
+        }
+    }
+}
+
+/// `x^T A x`.
+#[inline]
+pub fn quadratic_form<const D: usize>(a: &SMatrix<f64, D, D>, x: &SVector<f64, D>) -> f64 {
+    x.dot(&(a * x))
+}
+
+/// Adds the weighted outer product `weight x y^T` to `a`.
+#[inline]
+pub fn add_outer<const D: usize>(
+    a: &mut SMatrix<f64, D, D>,
+    weight: f64,
+    x: &SVector<f64, D>,
+    y: &SVector<f64, D>,
+) {
+    for j in 0..D {
+        let scaled = weight * y[j];
+        for i in 0..D {
+            a[(i, j)] += x[i] * scaled;
+        }
+    }
+}
+
+/// The symmetric part `(A + A^T)/2`.
+#[inline]
+pub fn symmetric_part<const D: usize>(a: &SMatrix<f64, D, D>) -> SMatrix<f64, D, D> {
+    (a + a.transpose()) * 0.5
+}

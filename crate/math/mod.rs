@@ -1,0 +1,9 @@
+//! Floor 0: numbers, small matrices, rotations and poses.
+
+pub mod block;
+pub mod float;
+pub mod linalg;
+pub mod pose;
+pub mod rotation;
+pub mod singular;
+pub mod tangent;

@@ -1,0 +1,157 @@
+//! Symmetric matrices on the tangent space of poses, `(phi, shift)`: 3 coordinates in the plane, 6 in space.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::block::BlockMatrix;
+use super::linalg::spd_inverse;
+use super::pose::Theta;
+use super::rotation::{Angles, MAX_ANGLES, Rotation, rotation_angles};
+
+/// Tangent coordinates in space; in the plane the first 3 are used.
+pub const MAX_TANGENT: usize = 6;
+
+/// Number of tangent coordinates of a pose: rotation angles and shift.
+pub const fn tangent_dimension(d: usize) -> usize {
+    rotation_angles(d) + d
+}
+
+/// A tangent vector of a pose: rotation coordinates (rad), then the shift of the position (m).
+pub type TangentVector = SVector<f64, MAX_TANGENT>;
+
+/// A symmetric matrix on the tangent space of poses. Unused coordinates (D = 2) carry the identity, so that inverses
+/// and solutions leave them alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TangentMatrix<const D: usize>(SMatrix<f64, MAX_TANGENT, MAX_TANGENT>);
+
+impl<const D: usize> TangentMatrix<D> {
+    /// Zero on the used coordinates.
+    pub fn zeros() -> Self {
+        let mut matrix = SMatrix::zeros();
+        for i in tangent_dimension(D)..MAX_TANGENT {
+            matrix[(i, i)] = 1.0;
+        }
+        Self(matrix)
+    }
+
+    /// Adds `angle I` on the rotation coordinates and `shift I` on the shift.
+    pub fn add_isotropic(&mut self, angle: f64, shift: f64) {
+        for i in 0..tangent_dimension(D) {
+            self.0[(i, i)] += if i < rotation_angles(D) { angle } else { shift };
+        }
+    }
+
+    /// Entry `(i, j)`, rotation coordinates first.
+    pub fn entry(&self, i: usize, j: usize) -> f64 {
+        self.0[(i, j)]
+    }
+
+    /// Adds to the used entries of the matrix.
+    pub fn add(&mut self, other: &Self) {
+        for j in 0..tangent_dimension(D) {
+            for i in 0..tangent_dimension(D) {
+                self.0[(i, j)] += other.0[(i, j)];
+            }
+        }
+    }
+
+    /// Inverse of a positive definite matrix.
+    ///
+    /// # Errors
+    /// The offending pivot.
+    pub fn inverse(&self) -> Result<Self, f64> {
+        spd_inverse(&self.0).map(Self)
+    }
+
+    /// The product with a tangent vector.
+    pub fn times(&self, x: &TangentVector) -> TangentVector {
+        self.0 * x
+    }
+
+    /// `x^T A x`.
+    pub fn quadratic_form(&self, x: &TangentVector) -> f64 {
+        x.dot(&(self.0 * x))
+    }
+
+    /// Trace over the rotation coordinates, rad^2 if this is a covariance.
+    pub fn angle_trace(&self) -> f64 {
+        (0..rotation_angles(D)).map(|i| self.0[(i, i)]).sum()
+    }
+
+    /// The block of the shift.
+    pub fn shift_block(&self) -> SMatrix<f64, D, D> {
+        let first = rotation_angles(D);
+        SMatrix::from_fn(|i, j| self.0[(first + i, first + j)])
+    }
+
+    /// Restricts an information matrix on `theta` to the tangent space at `rotation`: `T^T Lambda T`,
+    /// `T = d vec([R exp(hat(phi)) | t])/d(phi, t)`.
+    pub fn restrict(information: &BlockMatrix<D>, rotation: &Rotation<D>) -> Self {
+        let directions = tangents(rotation);
+        let angles = rotation_angles(D);
+        let mut result = Self::zeros();
+        for i in 0..tangent_dimension(D) {
+            let image = if i < angles {
+                information.times(&directions[i])
+            } else {
+                information.times(&unit_shift(i - angles))
+            };
+            for j in 0..angles {
+                result.0[(j, i)] = directions[j].orientation.dot(&image.orientation);
+            }
+            for j in 0..D {
+                result.0[(angles + j, i)] = image.position[j];
+            }
+        }
+        result.0 = (result.0 + result.0.transpose()) * 0.5;
+        result
+    }
+}
+
+/// Restricts a gradient on `theta` to the tangent space at `rotation`: `T^T vec(gradient)`.
+pub fn restrict_gradient<const D: usize>(gradient: &Theta<D>, rotation: &Rotation<D>) -> TangentVector {
+    let angles = rotation_angles(D);
+    let mut result = TangentVector::zeros();
+    for (i, direction) in tangents(rotation).iter().enumerate().take(angles) {
+        result[i] = direction.orientation.dot(&gradient.orientation);
+    }
+    for j in 0..D {
+        result[angles + j] = gradient.position[j];
+    }
+    result
+}
+
+/// Splits a tangent vector into rotation coordinates and shift.
+pub fn split<const D: usize>(x: &TangentVector) -> (Angles, SVector<f64, D>) {
+    let angles = rotation_angles(D);
+    let mut phi = [0.0; MAX_ANGLES];
+    for (i, entry) in phi.iter_mut().enumerate().take(angles) {
+        *entry = x[i];
+    }
+    (phi, SVector::from_fn(|i, _| x[angles + i]))
+}
+
+/// Joins rotation coordinates and shift to a tangent vector.
+pub fn join<const D: usize>(phi: &Angles, shift: &SVector<f64, D>) -> TangentVector {
+    let angles = rotation_angles(D);
+    let mut x = TangentVector::zeros();
+    for i in 0..angles {
+        x[i] = phi[i];
+    }
+    for i in 0..D {
+        x[angles + i] = shift[i];
+    }
+    x
+}
+
+fn tangents<const D: usize>(rotation: &Rotation<D>) -> [Theta<D>; MAX_ANGLES] {
+    core::array::from_fn(|i| Theta {
+        orientation: if i < rotation_angles(D) { rotation.tangent(i) } else { SMatrix::zeros() },
+        position: SVector::zeros(),
+    })
+}
+
+fn unit_shift<const D: usize>(axis: usize) -> Theta<D> {
+    let mut theta = Theta::zeros();
+    theta.position[axis] = 1.0;
+    theta
+}

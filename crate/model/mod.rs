@@ -1,0 +1,12 @@
+//! Floor 1: the world as the estimators see it. Anchors, topology, ranges and their normal equations, motion.
+
+pub mod anchors;
+pub mod covariance;
+pub mod epoch;
+pub mod motion;
+pub mod noise;
+pub mod normal_equations;
+pub mod ranges;
+pub mod ranging;
+pub mod spread;
+pub mod topology;
