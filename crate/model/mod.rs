@@ -3,6 +3,7 @@
 pub mod anchors;
 pub mod covariance;
 pub mod epoch;
+pub mod estimator_settings;
 pub mod motion;
 pub mod noise;
 pub mod normal_equations;
