@@ -168,6 +168,27 @@ impl<const D: usize> Rotation<D> {
     }
 }
 
+/// Inverse right Jacobian of SO(D) at `phi`: `log(R exp(hat(delta))) = phi + J delta + O(delta^2)` for `R = exp(hat(phi))`.
+///
+/// `I + hat(phi)/2 + (1/theta^2 - (1 + cos theta)/(2 theta sin theta)) hat(phi)^2`, valid for `theta < 2 pi`; 1 in the
+/// plane. Returned on the angle coordinates, unused ones carry the identity.
+pub fn right_jacobian_inverse<const D: usize>(phi: &Angles) -> SMatrix<f64, MAX_ANGLES, MAX_ANGLES> {
+    if D == 2 {
+        return SMatrix::identity();
+    }
+    let k = hat::<MAX_ANGLES>(phi);
+    let theta_squared = 0.5 * k.norm_squared();
+    let factor = if theta_squared < 1e-4 {
+        // The next term is theta^4/30240.
+        1.0 / 12.0 + theta_squared / 720.0
+    } else {
+        // (1 + cos)/sin = cot(theta/2), which has no cancellation near pi.
+        let half = 0.5 * float::sqrt(theta_squared);
+        (1.0 - half * float::cos(half) / float::sin(half)) / theta_squared
+    };
+    SMatrix::identity() + k * 0.5 + k * k * factor
+}
+
 /// The skew matrix of rotation coordinates: `[0 -phi; phi 0]` in the plane, the cross product matrix in space.
 pub fn hat<const D: usize>(phi: &Angles) -> SMatrix<f64, D, D> {
     let mut k = SMatrix::zeros();

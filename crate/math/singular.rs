@@ -122,3 +122,17 @@ fn completion<const D: usize>(columns: &SMatrix<f64, D, D>, count: usize) -> SVe
     }
     best / best.norm()
 }
+
+/// Moore-Penrose inverse of a symmetric positive semidefinite matrix; directions below `1e-12` of the largest
+/// singular value count as null.
+pub fn psd_pseudo_inverse<const D: usize>(matrix: &SMatrix<f64, D, D>) -> SMatrix<f64, D, D> {
+    let s = singular(matrix);
+    let mut inverse = SMatrix::zeros();
+    for k in 0..D {
+        if s.values[k] > 1e-12 * s.values[0] {
+            let direction = s.right.column(k);
+            inverse += direction * direction.transpose() / s.values[k];
+        }
+    }
+    inverse
+}

@@ -18,6 +18,9 @@ pub const fn tangent_dimension(d: usize) -> usize {
 /// A tangent vector of a pose: rotation coordinates (rad), then the shift of the position (m).
 pub type TangentVector = SVector<f64, MAX_TANGENT>;
 
+/// A linear map between tangent spaces.
+pub type TangentTransform = SMatrix<f64, MAX_TANGENT, MAX_TANGENT>;
+
 /// A symmetric matrix on the tangent space of poses. Unused coordinates (D = 2) carry the identity, so that inverses
 /// and solutions leave them alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,6 +55,12 @@ impl<const D: usize> TangentMatrix<D> {
                 self.0[(i, j)] += other.0[(i, j)];
             }
         }
+    }
+
+    /// `J^T A J`.
+    #[must_use]
+    pub fn congruence(&self, jacobian: &TangentTransform) -> Self {
+        Self(jacobian.transpose() * self.0 * jacobian)
     }
 
     /// Inverse of a positive definite matrix.

@@ -111,6 +111,21 @@ impl<const D: usize> Covariance<D> {
         }
     }
 
+    /// The metric `P_q^-1` on `vec(Q)` in the blocks of `Q`, and `P_tq P_q^-1` in the last block row: what moves `t` when
+    /// `Q` is moved.
+    ///
+    /// # Errors
+    /// [`Error::NotPositiveDefinite`].
+    pub fn orientation_metric(&self) -> Result<BlockMatrix<D>> {
+        let metric = match self {
+            Self::Decoupled { axes, blocks } => {
+                invert_orientation_blocks(blocks).map(|inverse| expand(axes, &inverse))
+            }
+            Self::Full(matrix) => matrix.orientation_metric(),
+        };
+        metric.map_err(|pivot| Error::NotPositiveDefinite { what: "the covariance of Q", pivot })
+    }
+
     /// The full matrix.
     pub fn to_blocks(&self) -> BlockMatrix<D> {
         match self {
@@ -130,6 +145,17 @@ fn update_blocks<const D: usize>(
         updated[j] = spd_inverse(&(spd_inverse(&blocks[j])? + gram * moments[j]))?;
     }
     Ok(updated)
+}
+
+/// Inverses of the blocks of `Q`, zero for `t`.
+fn invert_orientation_blocks<const D: usize>(
+    blocks: &[SMatrix<f64, D, D>; MAX_BLOCKS],
+) -> core::result::Result<[SMatrix<f64, D, D>; MAX_BLOCKS], f64> {
+    let mut inverse = [SMatrix::zeros(); MAX_BLOCKS];
+    for j in 0..D {
+        inverse[j] = spd_inverse(&blocks[j])?;
+    }
+    Ok(inverse)
 }
 
 /// `(V (x) I) diag(blocks) (V (x) I)^T`, block D apart.

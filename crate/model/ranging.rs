@@ -136,10 +136,10 @@ impl<const D: usize> RangeModel<D> {
             );
             sum.add(c, &one, !shared || n == 0, !shared);
         }
-        self.finish(sum, shared)
+        self.finish(&sum, shared)
     }
 
-    fn finish(&self, sum: Sum<D>, shared: bool) -> Result<NormalEquations<D>> {
+    fn finish(&self, sum: &Sum<D>, shared: bool) -> Result<NormalEquations<D>> {
         if !(sum.energy.is_finite() && sum.innovation.is_finite()) {
             return Err(Error::Number {
                 what: "the weighted sum of squared residuals",

@@ -48,7 +48,7 @@ impl<const D: usize> Topology<D> {
         let mut moments = [0.0; MAX_BLOCKS];
         moments[..D].copy_from_slice(&principal.values);
         moments[D] = sensors.len() as f64;
-        let size = sensors.iter().map(|c| c.norm()).fold(0.0, f64::max);
+        let size = sensors.iter().map(SVector::norm).fold(0.0, f64::max);
         let centred = sum.norm() <= 1e-12 * size * sensors.len() as f64;
         Ok(Self { sensors, gram, sum, axes: principal.right, moments, centred })
     }
