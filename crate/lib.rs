@@ -6,6 +6,7 @@ extern crate alloc;
 pub mod error;
 pub mod math;
 pub mod model;
+pub mod study;
 pub mod track;
 
 pub use error::{Error, Problem, Result};

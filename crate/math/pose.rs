@@ -108,6 +108,12 @@ impl<const D: usize> Theta<D> {
     }
 }
 
+impl<const D: usize> Default for Theta<D> {
+    fn default() -> Self {
+        Self::zeros()
+    }
+}
+
 impl<const D: usize> From<Pose<D>> for Theta<D> {
     fn from(pose: Pose<D>) -> Self {
         Self { orientation: *pose.rotation.matrix(), position: pose.position }

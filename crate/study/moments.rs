@@ -1,0 +1,71 @@
+//! Mean and standard error of a stream of numbers.
+
+use serde::{Deserialize, Serialize};
+
+use crate::math::float::sqrt;
+
+/// A number with its standard error.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(export))]
+pub struct Estimate {
+    /// The number.
+    pub value: f64,
+    /// One standard deviation of its sampling error.
+    pub standard_error: f64,
+}
+
+/// Running mean and spread (Welford, merged by Chan's formula), so that blocks of trials can be joined in order.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Moments {
+    count: f64,
+    mean: f64,
+    squares: f64,
+}
+
+impl Moments {
+    /// Takes one number.
+    pub fn push(&mut self, x: f64) {
+        self.count += 1.0;
+        let delta = x - self.mean;
+        self.mean += delta / self.count;
+        self.squares += delta * (x - self.mean);
+    }
+
+    /// Appends the numbers of `next`.
+    pub fn merge(&mut self, next: &Self) {
+        if next.count == 0.0 {
+            return;
+        }
+        let count = self.count + next.count;
+        let delta = next.mean - self.mean;
+        self.mean += delta * next.count / count;
+        self.squares += next.squares + delta * delta * self.count * next.count / count;
+        self.count = count;
+    }
+
+    /// How many numbers were taken.
+    pub fn count(&self) -> f64 {
+        self.count
+    }
+
+    /// Mean with its standard error; zero for no numbers, standard error zero for one.
+    pub fn mean(&self) -> Estimate {
+        let variance = if self.count > 1.0 { self.squares / (self.count - 1.0) } else { 0.0 };
+        let standard_error = if self.count > 0.0 { sqrt(variance / self.count) } else { 0.0 };
+        Estimate { value: self.mean, standard_error }
+    }
+
+    /// Root of the mean, for squared errors: RMSE with its standard error by the delta method, `se/(2 root)`.
+    ///
+    /// ```
+    /// let mut moments = rangelab::study::moments::Moments::default();
+    /// [9.0, 25.0, 16.0].into_iter().for_each(|squared_error| moments.push(squared_error));
+    /// assert_eq!(moments.root_mean().value, (50.0f64 / 3.0).sqrt());
+    /// ```
+    pub fn root_mean(&self) -> Estimate {
+        let mean = self.mean();
+        let value = sqrt(mean.value.max(0.0));
+        let standard_error = if value > 0.0 { mean.standard_error / (2.0 * value) } else { 0.0 };
+        Estimate { value, standard_error }
+    }
+}
