@@ -3,6 +3,7 @@
 
 extern crate alloc;
 
+pub mod bounds;
 pub mod error;
 pub mod math;
 pub mod model;

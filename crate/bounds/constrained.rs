@@ -1,0 +1,71 @@
+//! Bounds from one epoch alone: the unconstrained Cramér-Rao bound and the one for rotations (UC-CRB).
+
+use nalgebra::SMatrix;
+
+use super::cause::{Parameters, unobservable};
+use super::fisher::FisherInformation;
+use crate::error::Result;
+use crate::math::block::BlockMatrix;
+use crate::math::rotation::{Rotation, rotation_angles};
+use crate::math::tangent::{TangentMatrix, tangent_dimension};
+
+/// Where knowing nothing of the other parameters costs more than this factor in the variance of one, the information
+/// matrix is singular within double precision.
+const MAX_INFLATION: f64 = 1e12;
+
+/// The Cramér-Rao bound `F^-1` of all entries of `[Q | t]`, which takes `Q` for any matrix ([L] eq. 40).
+///
+/// Entries of `Q` have no unit, those of `t` are in m.
+///
+/// # Errors
+/// [`crate::Error::Unobservable`] with the cause: it needs M >= D + 1 anchors and N >= D + 1 sensors that fill the space.
+pub fn crb<const D: usize>(information: &FisherInformation<D>) -> Result<BlockMatrix<D>> {
+    let f = &information.matrix;
+    let diagonal = |a: &BlockMatrix<D>, i: usize| a.block(i / D, i / D)[(i % D, i % D)];
+    f.inverse()
+        .ok()
+        .filter(|c| (0..D * (D + 1)).all(|i| carries_digits(diagonal(f, i) * diagonal(c, i))))
+        .ok_or_else(|| unobservable("the Cramér-Rao bound", information, Parameters::Unconstrained))
+}
+
+/// The unitarily constrained bound on the tangent space, `(T^T F T)^-1` with `T = d vec([R exp(hat(phi)) | t])/d(phi, t)`
+/// ([L] eq. 42, corrected, in coordinates of rad and m).
+///
+/// # Errors
+/// [`crate::Error::Unobservable`] with the cause.
+pub fn unitary_crb<const D: usize>(information: &FisherInformation<D>) -> Result<TangentMatrix<D>> {
+    let j = information.on_tangent_space();
+    j.inverse()
+        .ok()
+        .filter(|c| (0..tangent_dimension(D)).all(|i| carries_digits(j.entry(i, i) * c.entry(i, i))))
+        .ok_or_else(|| unobservable("the unitarily constrained bound", information, Parameters::Pose))
+}
+
+/// The covariance `T C T^T` of `vec([Q | t])` that belongs to a covariance `C` of the tangent coordinates: with
+/// [`unitary_crb`] it is `U (U^T F U)^-1 U^T` of [L] eq. 42 and 47, of rank D(D+1)/2.
+pub fn image<const D: usize>(covariance: &TangentMatrix<D>, rotation: &Rotation<D>) -> BlockMatrix<D> {
+    let angles = rotation_angles(D);
+    // Column j of the derivative of [R exp(hat(phi)) | t] in tangent coordinate a.
+    let derivative = |a: usize, j: usize| match (a < angles, j < D) {
+        (true, true) => rotation.tangent(a).column(j).into_owned(),
+        (false, false) => SMatrix::<f64, D, 1>::from_fn(|i, _| f64::from(u8::from(i == a - angles))),
+        _ => SMatrix::zeros(),
+    };
+    let mut result = BlockMatrix::zeros();
+    for i in 0..=D {
+        for j in 0..=i {
+            for a in 0..tangent_dimension(D) {
+                for b in 0..tangent_dimension(D) {
+                    *result.block_mut(i, j) +=
+                        derivative(a, i) * derivative(b, j).transpose() * covariance.entry(a, b);
+                }
+            }
+        }
+    }
+    result
+}
+
+/// Written so that NaN and negative variances fail too.
+fn carries_digits(inflation: f64) -> bool {
+    inflation > 0.0 && inflation < MAX_INFLATION
+}

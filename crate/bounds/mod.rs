@@ -1,0 +1,23 @@
+//! Floor 2: how well any estimator could do. It knows the truth and the noise, and no estimator.
+//!
+//! | bound | says |
+//! |---|---|
+//! | [`constrained::crb`] | unbiased estimate of any matrix `[Q \| t]` from one epoch |
+//! | [`constrained::unitary_crb`] | the same for an estimate that knows `Q` to be a rotation |
+//! | [`posterior::PosteriorBound`] | the same with all epochs up to now and the prior |
+//! | [`along::bounds_along`] | all of these at each step of a recording |
+
+pub mod along;
+mod cause;
+pub mod constrained;
+pub mod fisher;
+pub mod kinds;
+pub mod observability;
+pub mod posterior;
+
+pub use along::{StepBounds, bounds_along};
+pub use constrained::{crb, unitary_crb};
+pub use fisher::{FisherInformation, fisher_information, fisher_information_of};
+pub use kinds::{Bound, BoundKind, BoundMatrix};
+pub use observability::{Observability, observability};
+pub use posterior::PosteriorBound;

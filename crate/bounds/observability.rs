@@ -1,0 +1,128 @@
+//! What the geometry lets the ranges see, for people: facts, the weakest motion, and one sentence.
+
+use alloc::format;
+use alloc::string::String;
+
+use nalgebra::{SMatrix, SVector};
+
+use super::cause::{Parameters, describe_turn, describe_vector, metres, reason};
+use super::constrained::unitary_crb;
+use super::fisher::FisherInformation;
+use crate::math::float::{degrees, sqrt};
+use crate::math::rotation::{Angles, rotation_angles};
+use crate::math::singular::singular;
+use crate::math::tangent::{MAX_TANGENT, TangentVector, split, tangent_dimension};
+use crate::model::spread::Spread;
+
+/// Facts about what can be seen from one epoch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Observability<const D: usize> {
+    /// Number of directions in which the anchors extend.
+    pub anchor_rank: usize,
+    /// Largest over least extent of the anchors; infinite where the rank is deficient.
+    pub anchor_condition: f64,
+    /// Largest distance of an anchor from the plane (D = 2: line) that fits them best, m.
+    pub anchor_thickness: f64,
+    /// Rank of `[C; 1^T]`.
+    pub sensor_rank: usize,
+    /// Largest over least extent of the sensors about their centroid; infinite where the rank is deficient.
+    pub sensor_condition: f64,
+    /// The motion of the body that the ranges see least.
+    pub weakest: WeakestMotion<D>,
+    /// What is not seen and why; or, where all is seen, what is seen least.
+    pub sentence: String,
+}
+
+/// The motion of the body that the ranges see least, scaled so that the sensors move by about 1 m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WeakestMotion<const D: usize> {
+    /// Rotation coordinates in the body frame, rad.
+    pub rotation: Angles,
+    /// Shift in the world frame, m.
+    pub shift: SVector<f64, D>,
+    /// Standard deviation of an estimate along it, m at the sensors; `None` where it is not seen.
+    pub standard_deviation: Option<f64>,
+    /// Part of the motion of the sensors that comes from the turn, 0 to 1.
+    pub turning: f64,
+}
+
+/// Gathers the facts at a pose, for a body that is rigid (`Q` a rotation).
+pub fn observability<const D: usize>(information: &FisherInformation<D>) -> Observability<D> {
+    let (anchors, sensors) = (information.model.anchors().spread(), information.model.topology().spread());
+    let bound = unitary_crb(information);
+    let weakest = weakest_motion(information, bound.is_ok());
+    let sentence = match &bound {
+        Ok(_) => describe_weakest(information, &weakest),
+        Err(_) => reason(information, Parameters::Pose),
+    };
+    Observability {
+        anchor_rank: anchors.rank(),
+        anchor_condition: condition(&anchors),
+        anchor_thickness: anchors.thickness(information.model.anchors().positions()),
+        sensor_rank: sensors.rank() + 1,
+        sensor_condition: condition(&sensors),
+        weakest,
+        sentence,
+    }
+}
+
+fn condition<const D: usize>(spread: &Spread<D>) -> f64 {
+    if spread.rank() < D { f64::INFINITY } else { spread.condition() }
+}
+
+/// Eigenvector of the least eigenvalue of the pose information, with angles counted as metres at the sensors.
+pub(super) fn weakest_motion<const D: usize>(
+    information: &FisherInformation<D>,
+    seen: bool,
+) -> WeakestMotion<D> {
+    let size = body_size(information);
+    let j = information.on_tangent_space();
+    let used = tangent_dimension(D);
+    let scale = |i: usize| if i < rotation_angles(D) { 1.0 / size } else { 1.0 };
+    let scaled = |i: usize, k: usize| j.entry(i, k) * scale(i) * scale(k);
+    // Unused coordinates (D = 2) get the trace, so that they never are the least.
+    let unused = (0..used).map(|i| scaled(i, i)).sum::<f64>();
+    let matrix =
+        SMatrix::<f64, MAX_TANGENT, MAX_TANGENT>::from_fn(|i, k| match (i < used && k < used, i == k) {
+            (true, _) => scaled(i, k),
+            (false, true) => unused,
+            (false, false) => 0.0,
+        });
+    let s = singular(&matrix);
+    let least = MAX_TANGENT - 1;
+    let direction: TangentVector = s.right.column(least).into_owned();
+    let (turn, shift) = split::<D>(&direction);
+    WeakestMotion {
+        rotation: turn.map(|x| x / size),
+        shift,
+        standard_deviation: seen.then(|| 1.0 / sqrt(s.values[least])),
+        turning: turn.iter().map(|x| x * x).sum(),
+    }
+}
+
+/// Root mean square distance of the sensors from the origin of the body frame, m; 1 where it vanishes.
+fn body_size<const D: usize>(information: &FisherInformation<D>) -> f64 {
+    let topology = information.model.topology();
+    let size = sqrt(topology.gram().trace() / topology.len() as f64);
+    if size > 0.0 { size } else { 1.0 }
+}
+
+fn describe_weakest<const D: usize>(
+    information: &FisherInformation<D>,
+    weakest: &WeakestMotion<D>,
+) -> String {
+    let deviation = weakest.standard_deviation.unwrap_or(f64::INFINITY);
+    if weakest.turning > 0.5 {
+        let angle = degrees(deviation / body_size(information));
+        format!(
+            "All motions are seen; the least well seen is {}, to about {angle:.3} deg.",
+            describe_turn::<D>(&weakest.rotation)
+        )
+    } else {
+        let direction = describe_vector(weakest.shift.as_slice());
+        format!(
+            "All motions are seen; the least well seen is a shift along {direction}, to about {}.",
+            metres(deviation)
+        )
+    }
+}
