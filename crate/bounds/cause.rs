@@ -107,11 +107,11 @@ pub(super) fn describe_turn<const D: usize>(rotation: &Angles) -> String {
 pub(super) fn describe_vector(vector: &[f64]) -> String {
     let length = sqrt(vector.iter().map(|x| x * x).sum());
     let scale = if length > 0.0 { 1.0 / length } else { 1.0 };
-    // Adding 0 turns -0 into 0.
-    let rounded = |x: f64| libm::round(100.0 * scale * x) / 100.0 + 0.0;
+    // What would be shown as -0.00 is 0.
+    let shown = |x: f64| if (scale * x).abs() < 0.005 { 0.0 } else { scale * x };
     match vector {
-        [x, y] => format!("[{:.2}, {:.2}]", rounded(*x), rounded(*y)),
-        [x, y, z] => format!("[{:.2}, {:.2}, {:.2}]", rounded(*x), rounded(*y), rounded(*z)),
+        [x, y] => format!("[{:.2}, {:.2}]", shown(*x), shown(*y)),
+        [x, y, z] => format!("[{:.2}, {:.2}, {:.2}]", shown(*x), shown(*y), shown(*z)),
         _ => format!("{vector:?}"),
     }
 }
