@@ -17,7 +17,7 @@ pub struct Estimate {
 /// Running mean and spread (Welford, merged by Chan's formula), so that blocks of trials can be joined in order.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Moments {
-    count: f64,
+    count: usize,
     mean: f64,
     squares: f64,
 }
@@ -25,33 +25,33 @@ pub struct Moments {
 impl Moments {
     /// Takes one number.
     pub fn push(&mut self, x: f64) {
-        self.count += 1.0;
+        self.count += 1;
         let delta = x - self.mean;
-        self.mean += delta / self.count;
+        self.mean += delta / self.count as f64;
         self.squares += delta * (x - self.mean);
     }
 
     /// Appends the numbers of `next`.
     pub fn merge(&mut self, next: &Self) {
-        if next.count == 0.0 {
+        if next.count == 0 {
             return;
         }
-        let count = self.count + next.count;
+        let share = next.count as f64 / (self.count + next.count) as f64;
         let delta = next.mean - self.mean;
-        self.mean += delta * next.count / count;
-        self.squares += next.squares + delta * delta * self.count * next.count / count;
-        self.count = count;
+        self.mean += delta * share;
+        self.squares += next.squares + delta * delta * self.count as f64 * share;
+        self.count += next.count;
     }
 
     /// How many numbers were taken.
-    pub fn count(&self) -> f64 {
+    pub fn count(&self) -> usize {
         self.count
     }
 
     /// Mean with its standard error; zero for no numbers, standard error zero for one.
     pub fn mean(&self) -> Estimate {
-        let variance = if self.count > 1.0 { self.squares / (self.count - 1.0) } else { 0.0 };
-        let standard_error = if self.count > 0.0 { sqrt(variance / self.count) } else { 0.0 };
+        let variance = if self.count > 1 { self.squares / (self.count - 1) as f64 } else { 0.0 };
+        let standard_error = if self.count > 0 { sqrt(variance / self.count as f64) } else { 0.0 };
         Estimate { value: self.mean, standard_error }
     }
 

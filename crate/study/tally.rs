@@ -124,7 +124,7 @@ impl<const D: usize> Tally<D> {
     /// The figures so far.
     pub fn summary(&self) -> Summary {
         Summary {
-            trials: self.orientation.count() as usize,
+            trials: self.orientation.count(),
             failures: self.failures,
             rmse_orientation: self.orientation.root_mean(),
             rmse_position: self.position.root_mean(),
@@ -145,7 +145,7 @@ impl<const D: usize> Tally<D> {
 
 /// Length of a mean error vector; sampling alone gives about the root mean square error over the root of the count.
 fn bias(sum: f64, squared: &Moments) -> Estimate {
-    let count = squared.count().max(1.0);
+    let count = squared.count().max(1) as f64;
     Estimate { value: sum / count, standard_error: sqrt(squared.mean().value.max(0.0) / count) }
 }
 
