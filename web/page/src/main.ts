@@ -1,0 +1,42 @@
+import "uplot/dist/uPlot.min.css";
+import "./theme/tokens.css";
+import "./theme/base.css";
+import { mount } from "svelte";
+import App from "./App.svelte";
+import { loadEngine, preset, presets } from "./engine";
+import { trackLab } from "./labs/track";
+import { readLink, sentenceOf, Session } from "./state/session.svelte";
+import { Workspace } from "./state/workspace.svelte";
+import { applyTheme, initialTheme } from "./theme/palette";
+
+/** What opens without a link. */
+const FIRST_PRESET = "room";
+
+async function start(): Promise<void> {
+  const target = document.getElementById("app");
+  if (!target) throw new Error("index.html has no element with the id app");
+  const theme = initialTheme();
+  applyTheme(theme);
+  try {
+    await loadEngine();
+    const session = await openSession();
+    mount(App, { target, props: { workspace: new Workspace(trackLab, session, theme), presets: presets() } });
+  } catch (error) {
+    target.textContent = `The page could not start: ${sentenceOf(error)}`;
+  }
+}
+
+/** The scenario of the address; where there is none, or a bad one, the first preset. */
+async function openSession(): Promise<Session> {
+  const first = () => new Session(preset(FIRST_PRESET), trackLab.describe);
+  if (location.hash.length <= 1) return first();
+  try {
+    return new Session(await readLink(location.hash), trackLab.describe);
+  } catch (error) {
+    const session = first();
+    session.refusal = `${sentenceOf(error)} The default scene is shown instead.`;
+    return session;
+  }
+}
+
+void start();

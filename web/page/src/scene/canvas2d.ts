@@ -1,0 +1,176 @@
+import type { View } from "./camera";
+import { type Color, type DrawList, STRIDE } from "./draw-list";
+import { paintMark } from "./mark";
+import type { Renderer } from "./renderer";
+
+interface Item {
+  readonly depth: number;
+  readonly paint: (context: CanvasRenderingContext2D) => void;
+}
+
+/** Fills behind lines of the same depth; overlays last. Depths are distances, so this exceeds them all. */
+const ALWAYS_IN_FRONT = -1;
+
+/** The last resort: the same lists on a plain canvas, far things first. Works wherever a page works. */
+export class Canvas2dRenderer implements Renderer {
+  readonly backend = "canvas2d";
+  readonly #context: CanvasRenderingContext2D;
+  #scale = 1;
+
+  constructor(canvas: HTMLCanvasElement) {
+    const context = canvas.getContext("2d");
+    if (!context)
+      throw new Error("This browser has no canvas: the scene cannot be drawn. The numbers still work.");
+    this.#context = context;
+  }
+
+  resize(width: number, height: number): void {
+    this.#context.canvas.width = width;
+    this.#context.canvas.height = height;
+  }
+
+  draw(list: DrawList, view: View, background: Color): void {
+    const context = this.#context;
+    this.#scale = context.canvas.width / Math.max(1, view.viewport.width);
+    context.fillStyle = css(background);
+    context.fillRect(0, 0, context.canvas.width, context.canvas.height);
+    const items = [
+      ...this.#triangles(list.triangles, view),
+      ...this.#ellipsoids(list.ellipsoids, view),
+      ...this.#segments(list.segments, view),
+      ...this.#points(list.points, view),
+    ];
+    items.sort((a, b) => b.depth - a.depth);
+    for (const item of items) item.paint(context);
+  }
+
+  lost(): boolean {
+    return false;
+  }
+
+  free(): void {
+    this.#context.canvas.width = 0;
+  }
+
+  #pixel(view: View, v: Float32Array, at: number): { x: number; y: number; depth: number } {
+    const { x, y, depth } = view.project([v[at], v[at + 1], v[at + 2]]);
+    return { x: x * this.#scale, y: y * this.#scale, depth };
+  }
+
+  #segments(values: Float32Array, view: View): Item[] {
+    const items: Item[] = [];
+    for (let at = 0; at < values.length; at += STRIDE.segment) {
+      const a = this.#pixel(view, values, at);
+      const b = this.#pixel(view, values, at + 3);
+      if (a.depth <= 0 || b.depth <= 0) continue;
+      const [width, dash] = [values[at + 6], values[at + 7]];
+      const color = css([values[at + 8], values[at + 9], values[at + 10], values[at + 11]]);
+      const depth = values[at + 12] > 0 ? ALWAYS_IN_FRONT : (a.depth + b.depth) / 2;
+      items.push({ depth, paint: (context) => strokeLine(context, a, b, width, dash, color) });
+    }
+    return items;
+  }
+
+  #points(values: Float32Array, view: View): Item[] {
+    const items: Item[] = [];
+    for (let at = 0; at < values.length; at += STRIDE.point) {
+      const centre = this.#pixel(view, values, at);
+      if (centre.depth <= 0) continue;
+      const radius = values[at + 3];
+      const color = css([values[at + 4], values[at + 5], values[at + 6], values[at + 7]]);
+      const shape = values[at + 8];
+      items.push({
+        depth: centre.depth,
+        paint: (context) => paintMark(context, centre, radius, shape, color),
+      });
+    }
+    return items;
+  }
+
+  /** The outline of an ellipsoid is, near enough, the ellipse of the projected semi-axes. */
+  #ellipsoids(values: Float32Array, view: View): Item[] {
+    const items: Item[] = [];
+    for (let at = 0; at < values.length; at += STRIDE.ellipsoid) {
+      const centre = this.#pixel(view, values, at);
+      if (centre.depth <= 0) continue;
+      const axes = [3, 6, 9].map((offset) => {
+        const tip = [0, 1, 2].map((i) => values[at + i] + values[at + offset + i]);
+        const end = this.#pixel(view, Float32Array.from(tip), 0);
+        return { x: end.x - centre.x, y: end.y - centre.y };
+      });
+      const color: Color = [values[at + 12], values[at + 13], values[at + 14], values[at + 15]];
+      items.push({ depth: centre.depth, paint: (context) => paintEllipse(context, centre, axes, color) });
+    }
+    return items;
+  }
+
+  #triangles(values: Float32Array, view: View): Item[] {
+    const items: Item[] = [];
+    const size = 3 * STRIDE.vertex;
+    for (let at = 0; at < values.length; at += size) {
+      const corners = [0, 1, 2].map((corner) => this.#pixel(view, values, at + corner * STRIDE.vertex));
+      if (corners.some((corner) => corner.depth <= 0)) continue;
+      const color = css([values[at + 6], values[at + 7], values[at + 8], values[at + 9]]);
+      const depth = Math.max(...corners.map((corner) => corner.depth));
+      items.push({ depth, paint: (context) => paintPolygon(context, corners, color) });
+    }
+    return items;
+  }
+}
+
+interface Pixel {
+  readonly x: number;
+  readonly y: number;
+}
+
+function strokeLine(
+  context: CanvasRenderingContext2D,
+  a: Pixel,
+  b: Pixel,
+  width: number,
+  dash: number,
+  color: string,
+): void {
+  context.strokeStyle = color;
+  context.lineWidth = width;
+  context.setLineDash(dash > 0 ? [dash, dash] : []);
+  context.beginPath();
+  context.moveTo(a.x, a.y);
+  context.lineTo(b.x, b.y);
+  context.stroke();
+}
+
+function paintPolygon(context: CanvasRenderingContext2D, corners: readonly Pixel[], color: string): void {
+  context.fillStyle = color;
+  context.beginPath();
+  for (const corner of corners) context.lineTo(corner.x, corner.y);
+  context.fill();
+}
+
+function paintEllipse(context: CanvasRenderingContext2D, centre: Pixel, axes: Pixel[], color: Color): void {
+  const sum = (pick: (axis: Pixel) => number) => axes.reduce((total, axis) => total + pick(axis), 0);
+  const [xx, xy, yy] = [sum((a) => a.x * a.x), sum((a) => a.x * a.y), sum((a) => a.y * a.y)];
+  const middle = (xx + yy) / 2;
+  const spread = Math.hypot((xx - yy) / 2, xy);
+  context.beginPath();
+  const small = Math.sqrt(Math.max(0, middle - spread));
+  context.ellipse(
+    centre.x,
+    centre.y,
+    Math.sqrt(middle + spread),
+    small,
+    Math.atan2(2 * xy, xx - yy) / 2,
+    0,
+    2 * Math.PI,
+  );
+  context.fillStyle = css(color);
+  context.fill();
+  context.setLineDash([]);
+  context.lineWidth = 1.5;
+  context.strokeStyle = css([color[0], color[1], color[2], Math.min(1, color[3] * 3)]);
+  context.stroke();
+}
+
+function css([r, g, b, a]: Color): string {
+  return `rgb(${Math.round(r * 255)} ${Math.round(g * 255)} ${Math.round(b * 255)} / ${a})`;
+}

@@ -1,0 +1,51 @@
+import type { Scenario } from "../scenario";
+
+/** Edits of a scenario as pure functions: the old one stays as it was. */
+
+export function moveAnchor(scenario: Scenario, index: number, position: readonly number[]): Scenario {
+  const anchors = scenario.anchors.map((anchor, i) => (i === index ? [...position] : anchor));
+  return { ...scenario, anchors };
+}
+
+/** Adds an anchor where it helps to be seen: above the middle of the others, off their plane. */
+export function addAnchor(scenario: Scenario): Scenario {
+  return { ...scenario, anchors: [...scenario.anchors, newAnchorPosition(scenario)] };
+}
+
+export function removeAnchor(scenario: Scenario, index: number): Scenario {
+  return { ...scenario, anchors: scenario.anchors.filter((_, i) => i !== index) };
+}
+
+export function setEstimatorEnabled(
+  scenario: Scenario,
+  name: string,
+  enabled: boolean,
+  order: readonly string[],
+): Scenario {
+  const wanted = new Set<string>(scenario.estimators.enabled);
+  if (enabled) wanted.add(name);
+  else wanted.delete(name);
+  const list = order.filter((entry) => wanted.has(entry)) as Scenario["estimators"]["enabled"];
+  return { ...scenario, estimators: { ...scenario.estimators, enabled: list } };
+}
+
+/** Smallest step of ten that is below a thousandth of the scene: dragged coordinates are rounded to it. */
+export function coordinateStep(scenario: Scenario): number {
+  const extent = Math.max(1e-3, ...scenario.anchors.flat().map(Math.abs));
+  return 10 ** Math.floor(Math.log10(extent / 200));
+}
+
+export function roundTo(value: number, step: number): number {
+  return Number((Math.round(value / step) * step).toFixed(Math.max(0, -Math.floor(Math.log10(step)))));
+}
+
+function newAnchorPosition(scenario: Scenario): number[] {
+  const step = coordinateStep(scenario);
+  const count = Math.max(1, scenario.anchors.length);
+  const extent = Math.max(1, ...scenario.anchors.flat().map(Math.abs));
+  return Array.from({ length: scenario.dimension }, (_, axis) => {
+    const mean = scenario.anchors.reduce((sum, anchor) => sum + anchor[axis], 0) / count;
+    const offset = axis === scenario.dimension - 1 ? 0.5 * extent : 0.1 * extent * ((count % 3) - 1);
+    return roundTo(mean + offset, step);
+  });
+}

@@ -1,0 +1,38 @@
+import { getContext, setContext } from "svelte";
+import type { Lab } from "../lab";
+import { applyTheme, type Palette, readPalette, type Theme } from "../theme/palette";
+import type { Session } from "./session.svelte";
+import { Timeline } from "./timeline.svelte";
+
+/** What every part of the frame shares: the lab, the scenario and its run, the time cursor, the looks. */
+export class Workspace {
+  readonly timeline = new Timeline();
+  theme: Theme = $state("light");
+  palette: Palette = $state.raw()!;
+  /** The anchor under the pointer, or whose row of the table has the focus. */
+  hoveredAnchor: number | null = $state(null);
+
+  constructor(
+    readonly lab: Lab,
+    readonly session: Session,
+    theme: Theme,
+  ) {
+    this.setTheme(theme);
+  }
+
+  setTheme(theme: Theme): void {
+    applyTheme(theme);
+    this.theme = theme;
+    this.palette = readPalette(theme);
+  }
+}
+
+const KEY = Symbol("workspace");
+
+export function provideWorkspace(workspace: Workspace): Workspace {
+  return setContext(KEY, workspace);
+}
+
+export function useWorkspace(): Workspace {
+  return getContext(KEY);
+}

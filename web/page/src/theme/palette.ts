@@ -1,0 +1,58 @@
+import type { Color, Shape } from "../scene/draw-list";
+
+export const THEMES = ["light", "dark", "projector"] as const;
+export type Theme = (typeof THEMES)[number];
+
+/** The mark of each estimator, in the scene, the plots and the text. */
+export const MARKS: Record<string, Shape> = {
+  kf: "ring",
+  ortho: "square",
+  "uc-kf": "triangle",
+  "et-kf": "diamond",
+  eskf: "disc",
+  "eskf-raw": "cross",
+};
+
+/** The design tokens the canvases need, read from the style sheet so that they are written once. */
+export interface Palette {
+  readonly theme: Theme;
+  /** How much heavier lines are drawn: 1, or more on a projector. */
+  readonly weight: number;
+  readonly fontSize: number;
+  css(token: string): string;
+  rgba(token: string, alpha?: number): Color;
+}
+
+export function readPalette(theme: Theme): Palette {
+  const style = getComputedStyle(document.documentElement);
+  const cache = new Map<string, string>();
+  const css = (token: string): string => {
+    const known = cache.get(token) ?? style.getPropertyValue(`--${token}`).trim();
+    cache.set(token, known);
+    return known;
+  };
+  return {
+    theme,
+    weight: Number(css("line-weight")),
+    fontSize: parseFloat(style.fontSize),
+    css,
+    rgba: (token, alpha = 1) => parseHex(css(token), alpha),
+  };
+}
+
+/** `#rrggbb` as numbers in 0..1. */
+export function parseHex(hex: string, alpha: number): Color {
+  const value = parseInt(hex.slice(1), 16);
+  return [(value >> 16) / 255, ((value >> 8) & 255) / 255, (value & 255) / 255, alpha];
+}
+
+export function initialTheme(): Theme {
+  const wanted = new URLSearchParams(location.search).get("theme") ?? localStorage.getItem("theme");
+  if (THEMES.includes(wanted as Theme)) return wanted as Theme;
+  return matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
+}
+
+export function applyTheme(theme: Theme): void {
+  document.documentElement.dataset.theme = theme;
+  localStorage.setItem("theme", theme);
+}
