@@ -39,6 +39,15 @@ pub enum Error {
         /// What the parser said, with line and column.
         message: String,
     },
+    /// The document was written by a newer rangelab.
+    Version {
+        /// What kind of document.
+        document: &'static str,
+        /// Its version.
+        found: u64,
+        /// The newest version that can be read here.
+        newest: u32,
+    },
     /// A list has the wrong number of entries.
     Size {
         /// What was counted.
@@ -101,6 +110,11 @@ impl fmt::Display for Error {
                 problems.iter().try_for_each(|problem| write!(f, "; {problem}"))
             }
             Self::Syntax { document, message } => write!(f, "the {document} cannot be read: {message}"),
+            Self::Version { document, found, newest } => write!(
+                f,
+                "the {document} is of version {found}, and this rangelab reads version {newest}: \
+                 it was written by a newer one, which can open it"
+            ),
             Self::Size { what, found, expected } => write!(f, "{found} {what} where {expected} are needed"),
             Self::Number { what, value, limit } => write!(f, "{what} is {value}; it must be {limit}"),
             Self::Unobservable { what, ranges, reason } => {

@@ -1,5 +1,6 @@
 //! Position **and orientation** of a rigid body from ranges between sensors on it and known anchors.
-#![no_std]
+// Without `std` no platform mathematics can slip in. The macros of `typescript`, which only write types, need it.
+#![cfg_attr(not(feature = "typescript"), no_std)]
 
 extern crate alloc;
 

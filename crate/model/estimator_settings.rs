@@ -7,7 +7,9 @@ use core::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-use crate::error::Error;
+use super::document::check::{Check, Limit, accept};
+use super::document::parse_part;
+use crate::error::{Error, Problem};
 use crate::math::rotation::Manifold;
 
 /// The trackers by name.
@@ -156,5 +158,41 @@ impl Default for EstimatorSettings {
             threshold: Threshold::default(),
             decoupled: false,
         }
+    }
+}
+
+impl EstimatorSettings {
+    /// Reads and validates the settings alone, for estimators that run on a recording.
+    ///
+    /// # Errors
+    /// [`Error::Syntax`] with line and column, [`Error::Invalid`] with every problem.
+    ///
+    /// ```
+    /// use rangelab::model::estimator_settings::{EstimatorName, EstimatorSettings};
+    /// let settings = EstimatorSettings::from_json(r#"{"enabled": ["kf", "uc-kf"], "feedback": true}"#)?;
+    /// assert_eq!(settings.enabled, [EstimatorName::Kf, EstimatorName::UcKf]);
+    /// assert!(EstimatorSettings::from_json(r#"{"threshold": {"kind": "relative", "epsilon": -1}}"#).is_err());
+    /// # Ok::<(), rangelab::Error>(())
+    /// ```
+    pub fn from_json(text: &str) -> Result<Self, Error> {
+        let settings: Self = parse_part("estimator settings", text)?;
+        accept("estimator settings", settings.validate())?;
+        Ok(settings)
+    }
+
+    /// Every problem: path, value, limit.
+    pub fn validate(&self) -> Vec<Problem> {
+        let mut check = Check::default();
+        self.check(&mut check, "");
+        check.into_problems()
+    }
+
+    pub(super) fn check(&self, check: &mut Check, prefix: &str) {
+        for (i, name) in self.enabled.iter().enumerate() {
+            if self.enabled[..i].contains(name) {
+                check.problem(format_args!("{prefix}enabled[{i}]"), name, "each estimator at most once");
+            }
+        }
+        check.number(format_args!("{prefix}threshold.epsilon"), self.threshold.epsilon, Limit::EPSILON);
     }
 }

@@ -2,6 +2,7 @@
 
 pub mod anchors;
 pub mod covariance;
+pub mod document;
 pub mod epoch;
 pub mod estimator_settings;
 pub mod motion;
@@ -9,5 +10,8 @@ pub mod noise;
 pub mod normal_equations;
 pub mod ranges;
 pub mod ranging;
+pub mod recording;
+pub mod run;
+pub mod scenario;
 pub mod spread;
 pub mod topology;

@@ -83,6 +83,11 @@ impl<const D: usize> RangeModel<D> {
         &self.noise
     }
 
+    /// Whether the sensors share the weights of an anchor.
+    pub fn weighting(&self) -> Weighting {
+        self.weighting
+    }
+
     /// The noise-free squared ranges at `[Q | t]`.
     pub fn exact_ranges(&self, theta: &Theta<D>) -> Result<Ranges> {
         Ranges::from_fn(self.anchors.len(), self.topology.len(), |m, n| {

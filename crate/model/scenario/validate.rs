@@ -1,0 +1,74 @@
+//! The rules of a scenario.
+
+use alloc::vec::Vec;
+
+use super::{InitialSettings, MotionSettings, Scenario};
+use crate::error::Problem;
+use crate::math::rotation::rotation_angles;
+use crate::model::document::check::{Check, Limit, MAX_STEPS};
+use crate::model::document::write;
+use crate::model::motion::ProcessNoise;
+
+/// Seeds up to here are exact in JavaScript.
+const MAX_SEED: u64 = 1 << 53;
+/// Longest `view` as JSON, in bytes.
+const MAX_VIEW: usize = 10_000;
+
+pub fn problems(scenario: &Scenario) -> Vec<Problem> {
+    let mut check = Check::default();
+    check.version(scenario.version);
+    check.name(&scenario.name);
+    let dimension = check.dimension(scenario.dimension);
+    check.points("anchors", &scenario.anchors, dimension);
+    if let Some(redraw) = scenario.redraw_anchors {
+        check.number("redraw_anchors.half_width", redraw.half_width, Limit::LENGTH);
+    }
+    check.points("sensors", &scenario.sensors, dimension);
+    check.noise(&scenario.noise);
+    check.number("missing_probability", scenario.missing_probability, Limit::PROBABILITY);
+    check.number("interval", scenario.interval, Limit::INTERVAL);
+    if !(1..=MAX_STEPS).contains(&scenario.steps) {
+        check.problem("steps", scenario.steps, format_args!("1 to {MAX_STEPS}"));
+    }
+    check.total_ranges("steps", scenario.anchors.len(), scenario.sensors.len(), scenario.steps);
+    if scenario.seed > MAX_SEED {
+        check.problem("seed", scenario.seed, format_args!("0 to {MAX_SEED} (2^53)"));
+    }
+    motion(&mut check, &scenario.motion, dimension);
+    check.pose("start", &scenario.start, dimension);
+    initial(&mut check, &scenario.initial, dimension);
+    process(&mut check, &scenario.process);
+    scenario.estimators.check(&mut check, "estimators.");
+    view(&mut check, scenario.view.as_ref());
+    check.into_problems()
+}
+
+fn motion(check: &mut Check, motion: &MotionSettings, dimension: Option<usize>) {
+    let angles = dimension.map(rotation_angles);
+    check.vector("motion.velocity", &motion.velocity, dimension, Limit::VELOCITY);
+    check.vector("motion.angular_velocity", &motion.angular_velocity, angles, Limit::ANGULAR_VELOCITY);
+    check.number("motion.sigma_omega", motion.sigma_omega, Limit::ANGULAR_VELOCITY_NOISE);
+    check.number("motion.sigma_t", motion.sigma_t, Limit::POSITION_NOISE);
+}
+
+pub(in crate::model) fn initial(check: &mut Check, initial: &InitialSettings, dimension: Option<usize>) {
+    check.matrix("initial.orientation", &initial.orientation, dimension);
+    check.vector("initial.position", &initial.position, dimension, Limit::COORDINATE);
+    check.number("initial.covariance", initial.covariance, Limit::VARIANCE);
+}
+
+pub(in crate::model) fn process(check: &mut Check, process: &ProcessNoise) {
+    check.number("process.sigma_q", process.sigma_q, Limit::ANGLE_NOISE);
+    check.number("process.sigma_t", process.sigma_t, Limit::POSITION_NOISE);
+}
+
+fn view(check: &mut Check, view: Option<&serde_json::Value>) {
+    let Some(view) = view else { return };
+    if !view.is_object() {
+        check.problem("view", view, "null or an object");
+    }
+    let length = write(view).len();
+    if length > MAX_VIEW {
+        check.problem("view", format_args!("{length} bytes long"), format_args!("at most {MAX_VIEW} bytes"));
+    }
+}
