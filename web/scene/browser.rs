@@ -27,6 +27,7 @@ pub struct Scene {
     size_px: (u32, u32),
     renderer: Renderer,
     incoming: Vec<f32>,
+    #[expect(dead_code, reason = "kept so that the canvas is listened to as long as the scene lives")]
     context_loss: ContextLoss,
 }
 

@@ -18,12 +18,13 @@ fn to_viewer(position: vec3<f32>) -> vec3<f32> {
     return view.eye.xyz - view.eye.w * position;
 }
 
-// Pixels from the centre of the picture, y up, and depth. The depth is that of a point moved towards the viewer by as
-// much as `lift_px` pixels measure there, so that a line or marker on a surface does not sink into it.
-fn project(position: vec3<f32>, lift_px: f32) -> vec3<f32> {
+// Pixels from the centre of the picture, y up, and depth. The depth is that of a point moved towards the viewer by twice
+// what `half_px` pixels measure there, so that a line or marker of that half size does not sink into a surface it lies on,
+// unless that is seen at less than 27 degrees.
+fn project(position: vec3<f32>, half_px: f32) -> vec3<f32> {
     let clip = clip_of(position);
     let towards = to_viewer(position);
-    let metres = lift_px * view.size.z * clip.w;
+    let metres = 2.0 * half_px * view.size.z * clip.w;
     let lifted = clip_of(position + towards * min(metres / length(towards), 0.5));
     return vec3(0.5 * view.size.xy * clip.xy / clip.w, max(lifted.z / lifted.w, 0.0));
 }

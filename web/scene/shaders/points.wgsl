@@ -23,7 +23,8 @@ fn outline_px(radius_px: f32) -> f32 {
 @vertex
 fn point_vertex(marker: Marker) -> Fragment {
     var out: Fragment;
-    let reach = 1.2 * marker.radius_px + outline_px(marker.radius_px) + 1.0;
+    // The corners of the triangle lie farthest out, those of its outline twice as far from them as its sides.
+    let reach = 1.2 * marker.radius_px + 2.0 * outline_px(marker.radius_px) + 1.0;
     out.offset_px = corner(marker.vertex) * reach;
     out.colour = marker.colour;
     out.radius_px = marker.radius_px;

@@ -1,0 +1,222 @@
+//! The class `Scene` in a browser: pictures on a canvas are read back, bad data and lost devices come back as errors.
+#![cfg(all(target_arch = "wasm32", any(feature = "webgpu", feature = "webgl")))]
+
+use js_sys::{Error, Float32Array, Function, Promise, Reflect};
+use rangelab_scene::Scene;
+use wasm_bindgen::{JsCast, JsError, JsValue};
+use wasm_bindgen_futures::JsFuture;
+use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
+
+wasm_bindgen_test_configure!(run_in_browser);
+
+const SIZE_PX: u32 = 64;
+const WHITE: [u8; 3] = [255; 3];
+const RED: [u8; 3] = [255, 0, 0];
+const BLUE: [u8; 3] = [0, 0, 255];
+
+/// x and y from -1 to 1 across the picture, z from 0 (near) to 1.
+const PLAIN: [f32; 16] = [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0];
+
+fn canvas() -> HtmlCanvasElement {
+    let document = web_sys::window().and_then(|window| window.document()).expect("a page");
+    document.create_element("canvas").expect("a canvas").unchecked_into()
+}
+
+fn numbers(values: &[f32]) -> Float32Array {
+    Float32Array::from(values)
+}
+
+fn done<T>(result: Result<T, JsError>) -> T {
+    result.unwrap_or_else(|error| panic!("{}", message(error)))
+}
+
+fn message(error: JsError) -> String {
+    JsValue::from(error).unchecked_into::<Error>().message().into()
+}
+
+/// A white scene with the plain view on a new canvas.
+async fn scene(canvas: &HtmlCanvasElement) -> Scene {
+    let mut scene = done(Scene::create(canvas.clone()).await);
+    done(scene.resize(SIZE_PX, SIZE_PX));
+    done(scene.set_background(1.0, 1.0, 1.0));
+    done(scene.set_view(&numbers(&PLAIN), SIZE_PX as f32, SIZE_PX as f32));
+    scene
+}
+
+/// Draws and copies the canvas in the same task, before the browser clears it; returns a look-up by column and row.
+fn picture(scene: &mut Scene, canvas: &HtmlCanvasElement) -> impl Fn(u32, u32) -> [u8; 3] {
+    let copy = self::canvas();
+    let context = copy.get_context("2d").ok().flatten().expect("a 2-D context");
+    let context: CanvasRenderingContext2d = context.unchecked_into();
+    done(scene.render());
+    context.draw_image_with_html_canvas_element(canvas, 0.0, 0.0).expect("canvases can be copied");
+    let size = f64::from(SIZE_PX);
+    let rgba = context.get_image_data(0.0, 0.0, size, size).expect("pixels can be read").data().0;
+    move |column, row| {
+        let at = 4 * (row * SIZE_PX + column) as usize;
+        [rgba[at], rgba[at + 1], rgba[at + 2]]
+    }
+}
+
+/// A red line along the upper quarter, drawn as far as `end_x`.
+fn line(end_x: f32) -> Float32Array {
+    numbers(&[-1.0, 0.5, 0.5, end_x, 0.5, 0.5, 6.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0])
+}
+
+#[wasm_bindgen_test]
+async fn one_of_everything_is_drawn_where_it_belongs() {
+    let canvas = canvas();
+    let mut scene = scene(&canvas).await;
+    assert_eq!(scene.backend(), if cfg!(feature = "webgpu") { "WebGPU" } else { "WebGL2" });
+    done(scene.set_segments(&line(1.0)));
+    done(scene.set_points(&numbers(&[-0.5, -0.5, 0.2, 8.0, 0.0, 0.0, 1.0, 1.0, 2.0])));
+    let axes = [0.3, 0.0, 0.0, 0.0, 0.3, 0.0, 0.0, 0.0, 0.1];
+    done(scene.set_ellipsoids(&numbers(&[&[0.5, -0.5, 0.5], &axes[..], &[1.0, 0.0, 0.0, 0.5]].concat())));
+    let corner = |x: f32, y: f32| [x, y, 0.9, 0.0, 0.0, 0.0, 0.5, 0.25, 0.75, 1.0];
+    done(scene.set_triangles(&numbers(&[corner(-1.0, 1.0), corner(1.0, 1.0), corner(0.0, 0.7)].concat())));
+
+    let at = picture(&mut scene, &canvas);
+    assert_eq!((at(10, 16), at(50, 16), at(32, 24)), (RED, RED, WHITE), "the line at y = 0.5 and below it");
+    assert_eq!((at(16, 48), at(16, 36)), (BLUE, WHITE), "the square and above it");
+    let [red, green, _] = at(48, 48);
+    assert!(red > 200 && (60..240).contains(&green), "the ellipsoid tints: {:?}", at(48, 48));
+    assert_eq!((at(48, 34), at(62, 48)), (WHITE, WHITE), "around the ellipsoid");
+    let [r, g, b] = at(32, 4);
+    let exact = r.abs_diff(128) < 3 && g.abs_diff(64) < 3 && b.abs_diff(191) < 3;
+    assert!(exact, "unshaded triangles keep their sRGB colour: {:?}", at(32, 4));
+    assert!(!scene.lost());
+}
+
+#[wasm_bindgen_test]
+async fn another_matrix_shows_another_picture() {
+    let canvas = canvas();
+    let mut scene = scene(&canvas).await;
+    done(scene.set_segments(&line(1.0)));
+    assert_eq!(picture(&mut scene, &canvas)(32, 16), RED);
+    let mut upside_down = PLAIN;
+    upside_down[5] = -1.0;
+    done(scene.set_view(&numbers(&upside_down), SIZE_PX as f32, SIZE_PX as f32));
+    let at = picture(&mut scene, &canvas);
+    assert_eq!((at(32, 16), at(32, 48)), (WHITE, RED));
+}
+
+#[wasm_bindgen_test]
+async fn bad_data_are_refused_in_words_and_the_old_are_kept() {
+    let canvas = canvas();
+    let mut scene = scene(&canvas).await;
+    done(scene.set_segments(&line(1.0)));
+    let refusals = [
+        (scene.set_segments(&numbers(&[0.0; 14])), "segments: 14 numbers do not make whole records of 13"),
+        (
+            scene.set_segments(&line(f32::NAN)),
+            "segments: record 0 has end x = NaN, but it must be a finite number",
+        ),
+        (scene.set_view(&numbers(&PLAIN[..9]), 64.0, 64.0), "view: a matrix has 16 numbers, not 9"),
+        (
+            scene.set_background(0.0, 0.0, 255.0),
+            "background: record 0 has blue = 255, but it must be a number from 0 to 1",
+        ),
+    ];
+    for (refusal, words) in refusals {
+        assert_eq!(message(refusal.expect_err(words)), words);
+    }
+    let too_large = scene.resize(1_000_000, 64).expect_err("no device draws a million pixels across");
+    assert!(message(too_large).starts_with("a picture of 1000000 x 64 pixels is too large"));
+    let at = picture(&mut scene, &canvas);
+    assert_eq!((at(32, 16), at(32, 40)), (RED, WHITE));
+}
+
+#[wasm_bindgen_test]
+async fn an_empty_canvas_is_no_error_and_sizes_can_change() {
+    let canvas = canvas();
+    let mut scene = scene(&canvas).await;
+    done(scene.set_segments(&line(1.0)));
+    done(scene.resize(0, 0));
+    done(scene.render());
+    done(scene.resize(33, 17));
+    done(scene.render());
+    done(scene.resize(SIZE_PX, SIZE_PX));
+    assert_eq!((canvas.width(), canvas.height()), (SIZE_PX, SIZE_PX));
+    assert_eq!(picture(&mut scene, &canvas)(32, 16), RED);
+}
+
+#[wasm_bindgen_test]
+async fn frames_of_equal_size_need_no_more_memory() {
+    let canvas = canvas();
+    let mut scene = scene(&canvas).await;
+    let track: Vec<f32> = (0..2000_u16).flat_map(|i| line(f32::from(i) / 2000.0).to_vec()).collect();
+    let track = numbers(&track);
+    let bytes = || {
+        let memory = wasm_bindgen::memory().unchecked_into::<js_sys::WebAssembly::Memory>();
+        Reflect::get(&memory.buffer(), &"byteLength".into()).ok().and_then(|length| length.as_f64())
+    };
+    let mut frames = |count: u32| {
+        for _ in 0..count {
+            done(scene.set_segments(&track));
+            done(scene.render());
+        }
+        bytes()
+    };
+    let warm = frames(20);
+    assert_eq!(frames(200), warm);
+}
+
+/// Waits until the browser has delivered what is due.
+async fn a_moment() {
+    let later = Function::new_with_args("done", "setTimeout(done, 100)");
+    let promise = Promise::new(&mut |resolve, _| {
+        later.call1(&JsValue::NULL, &resolve).expect("timers work");
+    });
+    JsFuture::from(promise).await.expect("timers do not fail");
+}
+
+fn run(body: &str, argument: &JsValue) {
+    Function::new_with_args("canvas", body).call1(&JsValue::NULL, argument).expect(body);
+}
+
+#[wasm_bindgen_test]
+async fn a_lost_device_is_noticed() {
+    let keep = "globalThis.request ??= GPUAdapter.prototype.requestDevice;
+        GPUAdapter.prototype.requestDevice = async function (...a) {
+            return (globalThis.device = await globalThis.request.apply(this, a));
+        };";
+    let webgpu = cfg!(feature = "webgpu");
+    let canvas = canvas();
+    if webgpu {
+        run(keep, &canvas);
+    }
+    let mut scene = scene(&canvas).await;
+    done(scene.render());
+    assert!(!scene.lost());
+    let lose = "canvas.getContext('webgl2').getExtension('WEBGL_lose_context').loseContext()";
+    run(if webgpu { "globalThis.device.destroy()" } else { lose }, &canvas);
+    a_moment().await;
+    assert!(scene.lost());
+    let error = scene.render().expect_err("nothing can be drawn any more");
+    assert_eq!(message(error), "the graphics device was lost");
+}
+
+#[wasm_bindgen_test]
+async fn a_browser_without_an_adapter_is_an_error_in_words() {
+    let canvas = canvas();
+    let hide = if cfg!(feature = "webgpu") {
+        "globalThis.ask = GPU.prototype.requestAdapter; GPU.prototype.requestAdapter = async () => null"
+    } else {
+        "canvas.getContext = () => null"
+    };
+    run(hide, &canvas);
+    let refused = Scene::create(canvas.clone()).await.err().map(message).unwrap_or_default();
+    if cfg!(feature = "webgpu") {
+        run("GPU.prototype.requestAdapter = globalThis.ask", &canvas);
+    }
+    assert!(refused.starts_with("no graphics device: "), "{refused}");
+}
+
+#[wasm_bindgen_test]
+async fn a_canvas_that_is_already_in_use_is_an_error_in_words() {
+    let canvas = canvas();
+    canvas.get_context("2d").expect("a 2-D context");
+    let refused = Scene::create(canvas).await.err().map(message).unwrap_or_default();
+    assert!(refused.starts_with("no graphics device: "), "{refused}");
+}
