@@ -8,6 +8,7 @@ pub mod bounds;
 pub mod error;
 pub mod math;
 pub mod model;
+pub mod simulate;
 pub mod study;
 pub mod track;
 

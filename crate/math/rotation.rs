@@ -42,6 +42,9 @@ pub enum Manifold {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rotation<const D: usize>(SMatrix<f64, D, D>);
 
+/// A rotation that was rounded to double precision is no further than this from being one.
+const ROUNDING: f64 = 1e-14;
+
 impl<const D: usize> Rotation<D> {
     /// The identity.
     pub fn identity() -> Self {
@@ -49,8 +52,8 @@ impl<const D: usize> Rotation<D> {
         Self(SMatrix::identity())
     }
 
-    /// Takes a matrix that is orthogonal to within `1e-6` and has `det > 0`; it is then projected, so that what is kept
-    /// is a rotation to the last digit.
+    /// Takes a matrix that is orthogonal to within `1e-6` and has `det > 0`. It is projected, so that what is kept is a
+    /// rotation to the last digit, unless it is one already: then it keeps its bits, as a pose read from a file must.
     ///
     /// # Errors
     /// [`Error::Number`] with the defect `||Q^T Q - I||_F` or the determinant.
@@ -71,7 +74,7 @@ impl<const D: usize> Rotation<D> {
                 limit: "+1: this matrix mirrors the body",
             });
         }
-        Ok(if found == 0.0 { Self(*matrix) } else { Self::project(matrix, Manifold::So) })
+        Ok(if found <= ROUNDING { Self(*matrix) } else { Self::project(matrix, Manifold::So) })
     }
 
     /// Takes an orthogonal matrix as it is.

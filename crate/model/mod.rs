@@ -8,6 +8,7 @@ pub mod estimator_settings;
 pub mod motion;
 pub mod noise;
 pub mod normal_equations;
+pub mod presets;
 pub mod ranges;
 pub mod ranging;
 pub mod recording;

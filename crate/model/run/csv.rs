@@ -42,10 +42,8 @@ fn header(run: &Run) -> Vec<String> {
     ];
     names.extend(rest.map(ToOwned::to_owned));
     for bound in &run.bounds {
-        // Names of bounds are ours and plain; `-` would read as a minus in formulas.
-        let name = bound.name.replace('-', "_");
-        names.push(format!("bound_{name}_orientation_rad"));
-        names.push(format!("bound_{name}_position_m"));
+        names.push(format!("{}_orientation_rad", bound.name));
+        names.push(format!("{}_position_m", bound.name));
     }
     names
 }
@@ -67,8 +65,8 @@ fn row(run: &Run, estimator: &EstimatorRun, k: usize, step: &StepRecord) -> Vec<
     cells.push(optional(step.nees.map(|nees| nees.value)));
     cells.push(step.nees.map(|nees| nees.degrees_of_freedom.to_string()).unwrap_or_default());
     for bound in &run.bounds {
-        let record = bound.steps.get(k);
-        cells.push(optional(record.map(|record| sqrt(record.angle_trace))));
+        let record = bound.steps.get(k).and_then(Option::as_ref);
+        cells.push(optional(record.and_then(|record| record.angle_variance).map(sqrt)));
         cells.push(optional(record.map(|record| sqrt(record.position_trace))));
     }
     cells

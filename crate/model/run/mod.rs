@@ -136,9 +136,9 @@ pub struct BoundRun {
     pub name: String,
     /// Its name for people.
     pub label: String,
-    /// The steps up to the end, or up to the failure.
-    pub steps: Vec<BoundRecord>,
-    /// Why it stops early.
+    /// One entry an epoch; null where the bound does not exist (a motion that is not seen) or the truth is not known.
+    pub steps: Vec<Option<BoundRecord>>,
+    /// The first step at which it does not exist, and why.
     pub failure: Option<Failure>,
 }
 
@@ -149,8 +149,8 @@ pub struct BoundRun {
 pub struct BoundRecord {
     /// Least mean squared `||Q - Q_true||_F`.
     pub orientation_trace: f64,
-    /// Least mean squared rotation angle, rad^2.
-    pub angle_trace: f64,
+    /// Least mean squared rotation angle, rad^2; for a bound on any matrix `Q` that of the rotation nearest to it.
+    pub angle_variance: Option<f64>,
     /// Least mean squared `||t - t_true||`, m^2.
     pub position_trace: f64,
     /// Bound on the covariance of the position row by row, m^2.
