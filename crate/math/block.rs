@@ -2,7 +2,7 @@
 
 use nalgebra::SMatrix;
 
-use super::linalg::spd_inverse;
+use super::linalg::spd_inverse_within;
 use super::pose::Theta;
 
 /// Block rows for D = 3; for D = 2 the last one is unused.
@@ -71,7 +71,7 @@ impl<const D: usize> BlockMatrix<D> {
     pub fn inverse(&self) -> Result<Self, f64> {
         let mut a = *self;
         for k in 0..=D {
-            a.sweep(k)?;
+            a.sweep(k, &self.lower[k][k])?;
         }
         for i in 0..=D {
             for j in 0..=i {
@@ -81,9 +81,10 @@ impl<const D: usize> BlockMatrix<D> {
         Ok(a)
     }
 
+    /// One sweep on diagonal block `k`, which was `original` before any sweep.
     #[inline]
-    fn sweep(&mut self, k: usize) -> Result<(), f64> {
-        let inverse = spd_inverse(&self.lower[k][k])?;
+    fn sweep(&mut self, k: usize, original: &SMatrix<f64, D, D>) -> Result<(), f64> {
+        let inverse = spd_inverse_within(&self.lower[k][k], original)?;
         let mut column = [SMatrix::<f64, D, D>::zeros(); MAX_BLOCKS];
         for (i, entry) in column.iter_mut().enumerate().take(D + 1) {
             if i != k {
@@ -148,7 +149,7 @@ impl<const D: usize> BlockMatrix<D> {
     pub fn orientation_metric(&self) -> Result<Self, f64> {
         let mut a = *self;
         for k in 0..D {
-            a.sweep(k)?;
+            a.sweep(k, &self.lower[k][k])?;
         }
         let mut metric = Self::zeros();
         for i in 0..D {

@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 /// A pivot smaller than this part of its diagonal entry carries no correct digit.
-pub(crate) const PIVOT_FLOOR: f64 = 1e-15;
+pub(crate) const PIVOT_FLOOR: f64 = 1e-14;
 
 /// Inverse of a symmetric positive definite matrix by the sweep operator.
 ///
@@ -20,14 +20,25 @@ pub(crate) const PIVOT_FLOOR: f64 = 1e-15;
 /// ```
 #[inline]
 pub fn spd_inverse<const D: usize>(matrix: &SMatrix<f64, D, D>) -> Result<SMatrix<f64, D, D>, f64> {
-    let mut a = *matrix;
+    spd_inverse_within(matrix, matrix)
+}
+
+/// Inverse of what elimination left of a diagonal block: pivots are held against the diagonal of the block as it was,
+/// `original`, so that a rank lost to other blocks is seen.
+#[inline]
+pub(crate) fn spd_inverse_within<const D: usize>(
+    block: &SMatrix<f64, D, D>,
+    original: &SMatrix<f64, D, D>,
+) -> Result<SMatrix<f64, D, D>, f64> {
+    let mut a = *block;
     for k in 0..D {
         let pivot = a[(k, k)];
-        // Written so that NaN fails too.
-        if !(pivot > PIVOT_FLOOR * matrix[(k, k)] && pivot.is_finite()) {
+        let inverse = 1.0 / pivot;
+        // Written so that NaN fails too, and a pivot whose inverse overflows.
+        if !(pivot > PIVOT_FLOOR * original[(k, k)] && pivot.is_finite() && inverse.is_finite()) {
             return Err(pivot);
         }
-        sweep(&mut a, k, 1.0 / pivot);
+        sweep(&mut a, k, inverse);
     }
     for j in 0..D {
         for i in 0..j {

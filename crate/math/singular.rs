@@ -30,7 +30,8 @@ const MAX_SWEEPS: usize = 40;
 /// assert_eq!(s.values, [3.0, 2.0]);
 /// ```
 pub fn singular<const D: usize>(matrix: &SMatrix<f64, D, D>) -> Singular<D> {
-    let mut work = *matrix;
+    let scale = power_of_two_below(matrix);
+    let mut work = *matrix / scale;
     let mut right = SMatrix::identity();
     for _ in 0..MAX_SWEEPS {
         let mut rotated = false;
@@ -48,7 +49,15 @@ pub fn singular<const D: usize>(matrix: &SMatrix<f64, D, D>) -> Singular<D> {
     for j in 0..D {
         values[j] = work.column(j).norm();
     }
-    Singular { left: orthonormal_columns(&work, &values), values, right }
+    let left = orthonormal_columns(&work, &values);
+    Singular { left, values: values.map(|value| value * scale), right }
+}
+
+/// The power of two at or below the largest entry: scaling by it is exact and keeps squares of entries in range.
+fn power_of_two_below<const D: usize>(matrix: &SMatrix<f64, D, D>) -> f64 {
+    const EXPONENT_BITS: u64 = 0x7ff0_0000_0000_0000;
+    let largest = matrix.iter().fold(f64::MIN_POSITIVE, |largest, x| largest.max(x.abs()));
+    f64::from_bits(largest.to_bits() & EXPONENT_BITS)
 }
 
 /// Rotates columns `p` and `q` until they are orthogonal; false if they already were.
