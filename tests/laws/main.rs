@@ -1,0 +1,13 @@
+//! Laws of the mathematics that hold for every input, in the plane and in space, also at the edges: angles at and next to
+//! pi, rank-deficient and graded matrices, matrices that are not positive definite.
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod metric;
+mod pose;
+mod positive_definite;
+mod projection;
+mod rotation;
+mod singular;
+mod tangent;
