@@ -106,7 +106,7 @@ impl<const D: usize> RangeModel<D> {
     /// `R_n = 4 sum_m w_mn (a_m - z_n)(a_m - z_n)^T`, `b_n = -2 sum_m w_mn (a_m - z_n)(e_mn - e_n)` with residuals
     /// `e_mn = d_mn - ||a_m - s_n||^2` at the reference. Projected: `z_n` and `e_n` are the weighted means of anchors
     /// and residuals. Raw: `z_n = s_n` and `e_n = 0`. `weight_ranges` give the variances: the measured ranges
-    /// themselves, or the true ones. Missing ranges are left out.
+    /// themselves, or the true ones. Missing ranges are left out, and ranges without one that gives their weight.
     ///
     /// # Errors
     /// [`Error::Size`] where the ranges do not match anchors and sensors, [`Error::Number`] where the sums overflow.
@@ -197,8 +197,7 @@ impl<const D: usize> RangeModel<D> {
 
 fn pair_weights(law: VarianceLaw, squared_ranges: &[f64], buffer: &mut WeightBuffer) {
     buffer.0.clear();
-    // A missing range gets the weight of the floor here; it is skipped where it would be used.
-    buffer.0.extend(squared_ranges.iter().map(|&d| 1.0 / law.variance(d)));
+    buffer.0.extend(squared_ranges.iter().map(|&d| if d.is_nan() { 0.0 } else { 1.0 / law.variance(d) }));
 }
 
 /// The sums over the anchors for one sensor.
@@ -227,7 +226,7 @@ impl<const D: usize> SensorSum<D> {
             total += w;
             centre += a * w;
             offset += w * residual(a, d);
-            ranges += 1;
+            ranges += usize::from(w > 0.0);
         }
         let mut residuals = ranges;
         if form == RangeForm::Raw || ranges == 0 {

@@ -140,7 +140,8 @@ fn block_matrices_that_are_not_positive_definite_are_refused<const D: usize>() {
         indefinite.block_mut(D, D)[(0, 0)] -= 100.0 * size as f64;
         assert!(indefinite.inverse().is_err(), "an indefinite matrix was taken");
     }
-    assert!(taken < 20, "{taken} of 200 singular matrices were taken");
+    // What is left is rounding of either sign; held against the wrong diagonal, half of the matrices pass.
+    assert!(taken < 40, "{taken} of 200 singular matrices were taken");
     assert!(BlockMatrix::<D>::zeros().inverse().is_err());
     assert!(BlockMatrix::<D>::isotropic(f64::NAN, 1.0).inverse().is_err());
     let mut correlated = BlockMatrix::<D>::isotropic(0.1, 0.1);

@@ -37,7 +37,6 @@ pub fn variance(noise: &RangeNoise, weighting: Weighting, weight_ranges: &Ranges
 /// [T] eq. (4) to (8), sensor by sensor, rows of missing ranges deleted.
 pub fn measurements<const D: usize>(
     model: &RangeModel<D>,
-    weighting: Weighting,
     ranges: &Ranges,
     weight_ranges: &Ranges,
 ) -> Measurements {
@@ -50,7 +49,7 @@ pub fn measurements<const D: usize>(
         }
         let u = isometry(present.len());
         let variances = DVector::from_fn(present.len(), |k, _| {
-            variance(model.noise(), weighting, weight_ranges, present[k], n)
+            variance(model.noise(), model.weighting(), weight_ranges, present[k], n)
         });
         let whiten = (u.transpose() * DMatrix::from_diagonal(&variances) * &u)
             .cholesky()
