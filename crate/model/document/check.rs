@@ -64,12 +64,25 @@ impl Limit {
 impl Display for Limit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { least, most, open, unit } = self;
-        let readable = |x: &f64| if x.abs() < 1e4 { format!("{x}") } else { format!("{x:e}") };
-        let (least, most) = (readable(least), readable(most));
+        let (least, most) = (Readable(*least), Readable(*most));
         if *open {
             write!(f, "above {least} and at most {most}{unit}")
         } else {
             write!(f, "from {least} to {most}{unit}")
+        }
+    }
+}
+
+/// A number as people write it: with an exponent where it would be long.
+pub struct Readable(pub f64);
+
+impl Display for Readable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(x) = self;
+        if *x == 0.0 || !x.is_finite() || (1e-4..1e6).contains(&x.abs()) {
+            write!(f, "{x}")
+        } else {
+            write!(f, "{x:e}")
         }
     }
 }
@@ -95,7 +108,7 @@ impl Check {
 
     pub fn number(&mut self, path: impl Display, value: f64, limit: Limit) {
         if !limit.allows(value) {
-            self.problem(path, value, limit);
+            self.problem(path, Readable(value), limit);
         }
     }
 
@@ -178,7 +191,7 @@ impl Check {
     pub fn noise(&mut self, noise: &RangeNoise) {
         let field = if matches!(noise, RangeNoise::Toa { .. }) { "noise.zeta_db" } else { "noise.sigma" };
         if let Err(Error::Number { value, limit, .. }) = noise.check() {
-            self.problem(field, value, limit);
+            self.problem(field, Readable(value), limit);
         }
     }
 
@@ -204,7 +217,7 @@ pub fn accept(document: &'static str, problems: Vec<Problem>) -> Result<()> {
 fn rotation_problem<const D: usize>(rows: &[Vec<f64>]) -> Option<(String, &'static str)> {
     let matrix: SMatrix<f64, D, D> = matrix_from_rows(rows);
     match Rotation::from_matrix(&matrix) {
-        Err(Error::Number { what, value, limit }) => Some((format!("{value} in {what}"), limit)),
+        Err(Error::Number { what, value, limit }) => Some((format!("{} in {what}", Readable(value)), limit)),
         _ => None,
     }
 }

@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use super::{EpochDocument, RecordingDocument};
 use crate::error::Problem;
 use crate::math::rotation::rotation_angles;
-use crate::model::document::check::{Check, Limit, MAX_STEPS};
+use crate::model::document::check::{Check, Limit, MAX_STEPS, Readable};
 use crate::model::scenario::WeightSource;
 use crate::model::scenario::validate::{initial, process};
 
@@ -88,7 +88,7 @@ fn table(
             {
                 check.problem(
                     format_args!("{path}[{m}][{n}]"),
-                    value,
+                    Readable(value),
                     format_args!("{limit}, or null if missing"),
                 );
             }
