@@ -45,7 +45,7 @@ async fn scene(canvas: &HtmlCanvasElement) -> Scene {
 }
 
 /// Draws and copies the canvas in the same task, before the browser clears it; returns a look-up by column and row.
-fn picture(scene: &mut Scene, canvas: &HtmlCanvasElement) -> impl Fn(u32, u32) -> [u8; 3] {
+fn picture(scene: &mut Scene, canvas: &HtmlCanvasElement) -> impl Fn(u32, u32) -> [u8; 3] + use<> {
     let copy = self::canvas();
     let context = copy.get_context("2d").ok().flatten().expect("a 2-D context");
     let context: CanvasRenderingContext2d = context.unchecked_into();
