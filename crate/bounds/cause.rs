@@ -38,34 +38,49 @@ pub(super) fn unobservable<const D: usize>(
 pub(super) fn reason<const D: usize>(information: &FisherInformation<D>, parameters: Parameters) -> String {
     let model = information.model;
     let (anchors, sensors) = (model.anchors().positions(), model.topology().sensors());
-    let missing = anchors.len() * sensors.len() - information.ranges;
-    let sensor_directions = if parameters == Parameters::Pose { D - 1 } else { D };
-    let anchor_directions = if information.form == RangeForm::Projected { D } else { D - 1 };
-    if missing == anchors.len() * sensors.len() {
-        "No range was measured.".into()
-    } else if let Some(lack) = lack("sensor", sensors, sensor_directions) {
-        let unseen = match parameters {
-            Parameters::Pose => "a turn about what they share moves none of them",
-            Parameters::Unconstrained => "not every entry of Q moves one of them",
-        };
-        format!("{lack}: {unseen}.")
-    } else if let Some(lack) = lack("anchor", anchors, anchor_directions) {
-        let unseen = match information.form {
-            RangeForm::Projected => {
-                "with the unknown ||s||^2 projected out, motion across what they share is not seen"
-            }
-            RangeForm::Raw => "a turn of the world about what they share changes no range",
-        };
-        format!("{lack}: {unseen}.")
-    } else if missing > 0 {
-        format!("{missing} of {} ranges are missing.", anchors.len() * sensors.len())
-    } else {
-        unseen_motion(information)
+    let pairs = anchors.len() * sensors.len();
+    let missing = pairs - information.ranges;
+    if missing == pairs {
+        return "No range was measured.".into();
+    }
+    let geometry = match parameters {
+        Parameters::Pose => {
+            lack("sensor", sensors, D - 1).map(|lack| lack.explain("a turn about", "moves no sensor"))
+        }
+        Parameters::Unconstrained => {
+            lack("sensor", sensors, D).map(|lack| lack.explain("what Q does off", "moves no sensor"))
+        }
+    };
+    let geometry = geometry.or_else(|| match information.form {
+        RangeForm::Projected => lack("anchor", anchors, D)
+            .map(|lack| lack.explain("with the unknown ||s||^2 projected out, motion off", "is not seen")),
+        RangeForm::Raw => lack("anchor", anchors, D - 1)
+            .map(|lack| lack.explain("turning the body about", "changes no range")),
+    });
+    geometry.unwrap_or_else(|| {
+        if missing > 0 {
+            format!("{missing} of {pairs} ranges are missing.")
+        } else {
+            unseen_motion(information)
+        }
+    })
+}
+
+/// What a cloud of points lacks of extending in enough directions.
+struct Lack {
+    /// How many there are, or how they lie.
+    finding: String,
+    /// What they share.
+    flat: &'static str,
+}
+
+impl Lack {
+    fn explain(&self, motion: &str, effect: &str) -> String {
+        format!("{}: {motion} that {} {effect}.", self.finding, self.flat)
     }
 }
 
-/// What a cloud of points lacks of extending in so many directions.
-fn lack<const D: usize>(what: &str, points: &[SVector<f64, D>], directions: usize) -> Option<String> {
+fn lack<const D: usize>(what: &str, points: &[SVector<f64, D>], directions: usize) -> Option<Lack> {
     let spread = Spread::of(points);
     let extends = |k: usize| spread.singular_values[k] > FLAT * spread.singular_values[0];
     let rank = (0..D).take_while(|&k| extends(k)).count();
@@ -73,13 +88,34 @@ fn lack<const D: usize>(what: &str, points: &[SVector<f64, D>], directions: usiz
         return None;
     }
     let (count, needed) = (points.len(), directions + 1);
-    if count < needed {
-        let plural = if count == 1 { "" } else { "s" };
-        return Some(format!("{count} {what}{plural} where at least {needed} are needed"));
+    let plural = if count == 1 { "" } else { "s" };
+    let place = describe_flat(points, &spread, rank);
+    let finding = if count < needed {
+        let verb = if count == 1 { "lies" } else { "lie" };
+        format!("{count} {what}{plural} where at least {needed} are needed {verb} {place}")
+    } else {
+        format!("The {count} {what}{plural} lie {place}")
+    };
+    Some(Lack { finding, flat: FLATS[rank].1 })
+}
+
+/// Flats by dimension: how one lies in it, and its name.
+const FLATS: [(&str, &str); 3] = [("at one", "point"), ("on one", "line"), ("in one", "plane")];
+
+/// "in one plane", or "within 0.3 m of one plane" where it is not just rounding.
+pub(super) fn describe_flat<const D: usize>(
+    points: &[SVector<f64, D>],
+    spread: &Spread<D>,
+    dimensions: usize,
+) -> String {
+    let distance = points.iter().map(|p| distance_from_flat(p, spread, dimensions)).fold(0.0, f64::max);
+    let size = points.iter().map(SVector::norm).fold(0.0, f64::max);
+    let (preposition, flat) = FLATS[dimensions];
+    if distance <= 1e-12 * size {
+        format!("{preposition} {flat}")
+    } else {
+        format!("within {} of one {flat}", metres(distance))
     }
-    let flat = ["point", "line", "plane"][rank];
-    let distance = points.iter().map(|p| distance_from_flat(p, &spread, rank)).fold(0.0, f64::max);
-    Some(format!("The {count} {what}s lie within {} of one {flat}", metres(distance)))
 }
 
 /// Distance of a point from the flat of so many dimensions that fits its cloud best, m.

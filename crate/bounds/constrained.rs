@@ -6,6 +6,7 @@ use super::cause::{Parameters, unobservable};
 use super::fisher::FisherInformation;
 use crate::error::Result;
 use crate::math::block::BlockMatrix;
+use crate::math::linalg::spd_inverse;
 use crate::math::rotation::{Rotation, rotation_angles};
 use crate::math::tangent::{TangentMatrix, tangent_dimension};
 
@@ -20,12 +21,39 @@ const MAX_INFLATION: f64 = 1e12;
 /// # Errors
 /// [`crate::Error::Unobservable`] with the cause: it needs M >= D + 1 anchors and N >= D + 1 sensors that fill the space.
 pub fn crb<const D: usize>(information: &FisherInformation<D>) -> Result<BlockMatrix<D>> {
-    let f = &information.matrix;
-    let diagonal = |a: &BlockMatrix<D>, i: usize| a.block(i / D, i / D)[(i % D, i % D)];
-    f.inverse()
-        .ok()
-        .filter(|c| (0..D * (D + 1)).all(|i| carries_digits(diagonal(f, i) * diagonal(c, i))))
+    let f = dense(&information.matrix);
+    let inverse = spd_inverse(&f).ok();
+    inverse
+        .filter(|c| (0..D * (D + 1)).all(|i| carries_digits(f[(i, i)] * c[(i, i)])))
+        .map(|c| blocks(&c))
         .ok_or_else(|| unobservable("the Cramér-Rao bound", information, Parameters::Unconstrained))
+}
+
+/// All entries of `[Q | t]` for D = 3.
+const MAX_ENTRIES: usize = 12;
+
+type Dense = SMatrix<f64, MAX_ENTRIES, MAX_ENTRIES>;
+
+/// Entry by entry, as the inverse by D x D blocks squares the condition; unused entries (D = 2) carry the identity.
+fn dense<const D: usize>(a: &BlockMatrix<D>) -> Dense {
+    let mut result = Dense::identity();
+    for i in 0..D * (D + 1) {
+        for j in 0..=i {
+            let entry = a.block(i / D, j / D)[(i % D, j % D)];
+            (result[(i, j)], result[(j, i)]) = (entry, entry);
+        }
+    }
+    result
+}
+
+fn blocks<const D: usize>(a: &Dense) -> BlockMatrix<D> {
+    let mut result = BlockMatrix::zeros();
+    for i in 0..=D {
+        for j in 0..=i {
+            *result.block_mut(i, j) = SMatrix::from_fn(|row, column| a[(i * D + row, j * D + column)]);
+        }
+    }
+    result
 }
 
 /// The unitarily constrained bound on the tangent space, `(T^T F T)^-1` with `T = d vec([R exp(hat(phi)) | t])/d(phi, t)`

@@ -5,7 +5,7 @@ use alloc::string::String;
 
 use nalgebra::{SMatrix, SVector};
 
-use super::cause::{Parameters, describe_turn, describe_vector, metres, reason};
+use super::cause::{Parameters, describe_flat, describe_turn, describe_vector, metres, reason};
 use super::constrained::unitary_crb;
 use super::fisher::FisherInformation;
 use crate::math::float::{degrees, sqrt};
@@ -107,22 +107,27 @@ fn body_size<const D: usize>(information: &FisherInformation<D>) -> f64 {
     if size > 0.0 { size } else { 1.0 }
 }
 
+/// Anchors whose extents differ by more than this factor are called thin.
+const THIN: f64 = 10.0;
+
 fn describe_weakest<const D: usize>(
     information: &FisherInformation<D>,
     weakest: &WeakestMotion<D>,
 ) -> String {
-    let deviation = weakest.standard_deviation.unwrap_or(f64::INFINITY);
-    if weakest.turning > 0.5 {
-        let angle = degrees(deviation / body_size(information));
-        format!(
-            "All motions are seen; the least well seen is {}, to about {angle:.3} deg.",
-            describe_turn::<D>(&weakest.rotation)
-        )
+    let anchors = information.model.anchors();
+    let spread = anchors.spread();
+    let opening = if condition(&spread) > THIN {
+        let place = describe_flat(anchors.positions(), &spread, D - 1);
+        format!("The {} anchors lie {place}", anchors.len())
     } else {
-        let direction = describe_vector(weakest.shift.as_slice());
-        format!(
-            "All motions are seen; the least well seen is a shift along {direction}, to about {}.",
-            metres(deviation)
-        )
-    }
+        "All motions are seen".into()
+    };
+    let deviation = weakest.standard_deviation.unwrap_or(f64::INFINITY);
+    let (motion, size) = if weakest.turning > 0.5 {
+        let angle = degrees(deviation / body_size(information));
+        (describe_turn::<D>(&weakest.rotation), format!("{angle:.3} deg"))
+    } else {
+        (format!("a shift along {}", describe_vector(weakest.shift.as_slice())), metres(deviation))
+    };
+    format!("{opening}; the least well seen motion is {motion}, to about {size}.")
 }
