@@ -1,6 +1,9 @@
-//! Floor 3: many runs, and what they say about an estimator.
+//! Floor 3: one run or many, and what they say about an estimator.
 
+mod bound_tally;
 pub mod error;
 pub mod moments;
 pub mod monte_carlo;
+pub mod report;
 pub mod tally;
+pub mod track_run;

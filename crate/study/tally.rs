@@ -1,7 +1,5 @@
 //! What is counted for one estimator at one step over many trials.
 
-use alloc::vec::Vec;
-
 use serde::{Deserialize, Serialize};
 
 use super::error::PoseError;
@@ -153,6 +151,3 @@ fn scaled(estimate: Estimate, by: f64) -> Estimate {
     let factor = if by > 0.0 { 1.0 / by } else { 0.0 };
     Estimate { value: estimate.value * factor, standard_error: estimate.standard_error * factor }
 }
-
-/// The tallies of one estimator, step by step.
-pub type StepTallies<const D: usize> = Vec<Tally<D>>;
