@@ -7,19 +7,20 @@ use crate::error::Result;
 use crate::math::float::{ratio_from_db, sqrt};
 use crate::model::noise::RangeNoise;
 use crate::model::ranges::Ranges;
-use crate::model::ranging::{RangeModel, Weighting};
+use crate::model::ranging::RangeModel;
 
 /// Disturbs exact squared ranges and loses some.
 ///
 /// ```text
-/// squared_range   d = r^2 + sigma r_1 n     [T] below eq. 1: the variance sigma^2 ||a_m - s_1||^2 is that of sensor 1
-///                 d = r^2 + sigma r n       the same pair by pair, where the weighting is
+/// squared_range   d = r^2 + sigma r n     [T] below eq. 1, each pair by its own range
 /// toa             d = (r + r n/sqrt(zeta))^2
 /// range           d = (r + sigma n)^2
 /// ```
 ///
 /// with `n ~ N(0, 1)` for each pair. Each pair draws a uniform number, which loses the range if it is below
-/// `missing_probability`, then `n`, needed or not; pairs go anchor by anchor, sensor by sensor.
+/// `missing_probability`, then `n`, needed or not; pairs go anchor by anchor, sensor by sensor. That the papers give all
+/// sensors the variance of the first is a simplification of the weights, not of nature: see
+/// [`Weighting::Common`](crate::model::ranging::Weighting::Common).
 ///
 /// # Errors
 /// [`crate::Error::Number`] where a squared range overflows.
@@ -33,9 +34,8 @@ pub fn measure<const D: usize>(
     let draws: Vec<Draw> = (0..anchors * sensors).map(|_| Draw::new(missing_probability, stream)).collect();
     let squared = |m: usize, n: usize| exact.get(m, n).unwrap_or_default();
     Ranges::from_fn(anchors, sensors, |m, n| {
-        let spread_at = if model.weighting() == Weighting::Common { 0 } else { n };
         let Draw { lost, normal } = draws[m * sensors + n];
-        (!lost).then(|| disturbed(model.noise(), squared(m, n), squared(m, spread_at), normal))
+        (!lost).then(|| disturbed(model.noise(), squared(m, n), normal))
     })
 }
 
@@ -52,11 +52,11 @@ impl Draw {
     }
 }
 
-/// The squared range measured; `spread_at` is the squared range whose root scales the noise of [T].
-fn disturbed(noise: &RangeNoise, squared: f64, spread_at: f64, normal: f64) -> f64 {
+/// The squared range measured.
+fn disturbed(noise: &RangeNoise, squared: f64, normal: f64) -> f64 {
     let square = |x: f64| x * x;
     match *noise {
-        RangeNoise::SquaredRange { sigma } => squared + sigma * sqrt(spread_at) * normal,
+        RangeNoise::SquaredRange { sigma } => squared + sigma * sqrt(squared) * normal,
         RangeNoise::Toa { zeta_db } => squared * square(1.0 + normal / sqrt(ratio_from_db(zeta_db))),
         RangeNoise::Range { sigma } => square(sqrt(squared) + sigma * normal),
     }
