@@ -7,7 +7,7 @@ import type { Scene } from "./wasm/scene-webgpu/rangelab_scene.js";
 import type { BoundRun, EstimatorRun, Run } from "./run";
 import type { Scenario } from "./scenario";
 
-export type WasmScene = Pick<Scene, keyof Scene>;
+export type WasmScene = Scene;
 
 export interface PresetEntry {
   name: string;

@@ -18,11 +18,11 @@ export function plotOptions(
     ...size,
     legend: { show: false },
     cursor: { drag: { x: false, y: false }, y: false, points: { show: false }, sync: { key: "time" } },
-    padding: [8, 10, 0, 0],
+    padding: [8, palette.fontSize, 0, 0],
     scales: { x: { time: false }, y: { distr: 3, range: () => logRange(spec()) } },
     axes: [
       axis(palette, "time in s"),
-      { ...axis(palette, ""), size: 4.2 * palette.fontSize, values: tickLabels },
+      { ...axis(palette, ""), size: 4.2 * palette.fontSize, filter: roundSplits, values: tickLabels },
     ],
     series: [{}, ...spec().lines.map((line) => series(line, palette))],
     hooks: { draw: [(plot) => drawExtras(plot, spec(), palette)] },
@@ -53,13 +53,17 @@ function axis(palette: Palette, label: string): uPlot.Axis {
   };
 }
 
-/** Only 1, 2 and 5 times powers of ten carry a number. */
-function tickLabels(_plot: uPlot, splits: number[]): (string | null)[] {
+/** Only 1, 2 and 5 times powers of ten get a line and a number; only powers of ten where there are many. */
+function roundSplits(_plot: uPlot, splits: number[]): (number | null)[] {
   const few = Math.log10(splits[splits.length - 1] / splits[0]) < 1.8;
   const wanted = few ? [1, 2, 5] : [1];
+  const digit = (value: number) => Math.round(value / 10 ** Math.floor(Math.log10(value) + 1e-9));
+  return splits.map((value) => (wanted.includes(digit(value)) ? value : null));
+}
+
+function tickLabels(_plot: uPlot, splits: (number | null)[]): (string | null)[] {
   return splits.map((value) => {
-    const digit = Math.round(value / 10 ** Math.floor(Math.log10(value) + 1e-9));
-    if (!wanted.includes(digit)) return null;
+    if (value === null) return null;
     return value >= 1e-3 && value < 1e5 ? String(Number(value.toPrecision(1))) : value.toExponential(0);
   });
 }
@@ -88,8 +92,9 @@ function drawExtras(plot: uPlot, spec: PlotSpec, palette: Palette): void {
 function drawMarks(plot: uPlot, spec: PlotSpec, line: PlotLine, index: number, palette: Palette): void {
   if (!line.mark) return;
   const ratio = devicePixelRatio;
-  const radius = 3.6 * palette.weight * ratio;
-  const stride = Math.ceil((MARK_SPACING_PIXELS * spec.times.length * ratio) / Math.max(1, plot.bbox.width));
+  const radius = 3.2 * palette.weight * ratio;
+  const spacing = MARK_SPACING_PIXELS * palette.weight * ratio;
+  const stride = Math.ceil((spacing * spec.times.length) / Math.max(1, plot.bbox.width));
   const color = palette.css(line.token);
   line.values.forEach((value, step) => {
     if (value === null || !(value > 0)) return;
@@ -122,5 +127,7 @@ function drawThreshold(plot: uPlot, threshold: { value: number; label: string },
   context.fillStyle = palette.css("ink");
   context.font = `600 ${0.9 * palette.fontSize * devicePixelRatio}px ${palette.css("font")}`;
   context.textAlign = "right";
-  context.fillText(threshold.label, right - 6 * devicePixelRatio, y - 5 * devicePixelRatio);
+  const below = y - plot.bbox.top < 1.5 * palette.fontSize * devicePixelRatio;
+  const shift = below ? 1.1 * palette.fontSize : -5;
+  context.fillText(threshold.label, right - 6 * devicePixelRatio, y + shift * devicePixelRatio);
 }

@@ -1,5 +1,5 @@
 import { mat4d } from "wgpu-matrix";
-import { add, scale, type Vec3 } from "./geometry";
+import { add, dot, scale, sub, type Vec3 } from "./geometry";
 
 /** Where the viewer stands: around a target, z upward. Angles in rad; pitch 0 is level, pi/2 looks straight down. */
 export interface Camera {
@@ -106,11 +106,30 @@ const DIRECTIONS: Record<Direction, { yaw: number; pitch: number }> = {
   side: { yaw: -Math.PI / 2, pitch: 0 },
 };
 
-/** Stands so that a ball fills the view from the given direction. */
-export function fit(centre: Vec3, radius: number, direction: Direction, viewport: Viewport): Camera {
-  const aspect = viewport.width / Math.max(1, viewport.height);
-  const half = Math.atan(Math.tan(FIELD_OF_VIEW / 2) * Math.min(1, aspect));
-  return { target: centre, ...DIRECTIONS[direction], distance: radius / Math.sin(half) };
+/** Share of the half width or height that the outermost points may take. */
+const FILL = 0.84;
+
+/**
+ * Looks at `centre` from the given direction, just far enough to see all points. What lies over the left of the view
+ * (`inset` CSS pixels wide) is kept clear.
+ */
+export function fit(
+  centre: Vec3,
+  points: readonly Vec3[],
+  direction: Direction,
+  viewport: Viewport,
+  inset = 0,
+): Camera {
+  const camera: Camera = { target: centre, ...DIRECTIONS[direction], distance: 1 };
+  const [right, up, back] = [rightward(camera), upward(camera), backward(camera)];
+  const tangent = FILL * Math.tan(FIELD_OF_VIEW / 2);
+  const aspect = (viewport.width - inset) / Math.max(1, viewport.height);
+  const needed = points.map((point) => {
+    const offset = sub(point, centre);
+    const width = Math.abs(dot(offset, right)) / (tangent * aspect);
+    return Math.max(width, Math.abs(dot(offset, up)) / tangent) + dot(offset, back);
+  });
+  return pan({ ...camera, distance: Math.max(1e-3, ...needed) }, inset / 2, 0, viewport);
 }
 
 export function backward({ yaw, pitch }: Camera): Vec3 {

@@ -52,7 +52,7 @@ export class Canvas2dRenderer implements Renderer {
     this.#context.canvas.width = 0;
   }
 
-  #pixel(view: View, v: Float32Array, at: number): { x: number; y: number; depth: number } {
+  #pixel(view: View, v: Float32Array, at: number): Deep {
     const { x, y, depth } = view.project([v[at], v[at + 1], v[at + 2]]);
     return { x: x * this.#scale, y: y * this.#scale, depth };
   }
@@ -60,15 +60,30 @@ export class Canvas2dRenderer implements Renderer {
   #segments(values: Float32Array, view: View): Item[] {
     const items: Item[] = [];
     for (let at = 0; at < values.length; at += STRIDE.segment) {
-      const a = this.#pixel(view, values, at);
-      const b = this.#pixel(view, values, at + 3);
-      if (a.depth <= 0 || b.depth <= 0) continue;
+      const ends = this.#visiblePart(view, values, at);
+      if (!ends) continue;
+      const [a, b] = ends;
       const [width, dash] = [values[at + 6], values[at + 7]];
       const color = css([values[at + 8], values[at + 9], values[at + 10], values[at + 11]]);
       const depth = values[at + 12] > 0 ? ALWAYS_IN_FRONT : (a.depth + b.depth) / 2;
       items.push({ depth, paint: (context) => strokeLine(context, a, b, width, dash, color) });
     }
     return items;
+  }
+
+  /** The ends of a segment on the canvas, cut where it passes behind the viewer. */
+  #visiblePart(view: View, values: Float32Array, at: number): [Deep, Deep] | null {
+    const [a, b] = [this.#pixel(view, values, at), this.#pixel(view, values, at + 3)];
+    const near = view.camera.distance / 100;
+    if (a.depth < near && b.depth < near) return null;
+    if (a.depth >= near && b.depth >= near) return [a, b];
+    const share = (near - a.depth) / (b.depth - a.depth);
+    const cut = Float32Array.from(
+      [0, 1, 2],
+      (i) => values[at + i] + share * (values[at + 3 + i] - values[at + i]),
+    );
+    const edge = this.#pixel(view, cut, 0);
+    return a.depth < near ? [edge, b] : [a, edge];
   }
 
   #points(values: Float32Array, view: View): Item[] {
@@ -121,6 +136,10 @@ export class Canvas2dRenderer implements Renderer {
 interface Pixel {
   readonly x: number;
   readonly y: number;
+}
+
+interface Deep extends Pixel {
+  readonly depth: number;
 }
 
 function strokeLine(

@@ -71,6 +71,7 @@ export class DrawList {
   }
 
   line(start: Vec3, end: Vec3, style: LineStyle): void {
+    if (!drawable(start) || !drawable(end)) return;
     const pixels = this.pixelRatio;
     this.#segments.push(...start, ...end, style.width * this.weight * pixels, (style.dash ?? 0) * pixels);
     this.#segments.push(...style.color, style.overlay ? 1 : 0);
@@ -81,15 +82,19 @@ export class DrawList {
   }
 
   point(centre: Vec3, radius: number, color: Color, shape: Shape): void {
+    if (!drawable(centre)) return;
     this.#points.push(...centre, radius * this.weight * this.pixelRatio, ...color, SHAPES[shape]);
   }
 
   ellipsoid(centre: Vec3, axes: readonly [Vec3, Vec3, Vec3], color: Color): void {
+    if (![centre, ...axes].every(drawable)) return;
     this.#ellipsoids.push(...centre, ...axes[0], ...axes[1], ...axes[2], ...color);
   }
 
-  triangle(corners: readonly [Vec3, Vec3, Vec3], normal: Vec3, color: Color): void {
-    for (const corner of corners) this.#triangles.push(...corner, ...normal, ...color);
+  /** A flat fill, the same from all sides. */
+  triangle(corners: readonly [Vec3, Vec3, Vec3], color: Color): void {
+    if (!corners.every(drawable)) return;
+    for (const corner of corners) this.#triangles.push(...corner, 0, 0, 0, ...color);
   }
 
   /** An arrow as three lines: its head lies in the plane of the given side vector. */
@@ -106,4 +111,11 @@ export class DrawList {
       );
     }
   }
+}
+
+/** A diverging estimate may leave what single precision holds; the renderer would refuse the whole picture. */
+const FARTHEST = 1e30;
+
+function drawable(point: Vec3): boolean {
+  return Math.abs(point[0]) < FARTHEST && Math.abs(point[1]) < FARTHEST && Math.abs(point[2]) < FARTHEST;
 }

@@ -31,10 +31,10 @@ export function groundLabels({ frame, view }: SceneInput): Label[] {
 }
 
 function gridLines({ frame }: Pick<SceneInput, "frame">): { xs: number[]; ys: number[] } {
-  const along = (centre: number) => {
-    const first = Math.floor((centre - frame.radius) / frame.spacing);
-    const last = Math.ceil((centre + frame.radius) / frame.spacing);
+  const along = (axis: 0 | 1) => {
+    const first = Math.floor((frame.centre[axis] - frame.reach[axis]) / frame.spacing);
+    const last = Math.ceil((frame.centre[axis] + frame.reach[axis]) / frame.spacing);
     return Array.from({ length: last - first + 1 }, (_, i) => (first + i) * frame.spacing);
   };
-  return { xs: along(frame.centre[0]), ys: along(frame.centre[1]) };
+  return { xs: along(0), ys: along(1) };
 }

@@ -1,6 +1,5 @@
 import { createWasmScene, type WasmScene } from "../engine";
 import type { View } from "./camera";
-import { Canvas2dRenderer } from "./canvas2d";
 import type { Color, DrawList } from "./draw-list";
 
 export const BACKENDS = ["webgpu", "webgl", "canvas2d"] as const;
@@ -61,21 +60,20 @@ export function wantedBackends(search: string): readonly Backend[] {
   return first < 0 ? BACKENDS : BACKENDS.slice(first);
 }
 
-/** Starts the first renderer that works. A canvas serves one kind of context only, so each try gets a new one. */
-export async function startRenderer(
-  newCanvas: () => HTMLCanvasElement,
+/** Starts the first of the drawing modules that works, each on a canvas of its own; null where none does. */
+export async function startModule(
   backends: readonly Backend[],
-): Promise<Renderer> {
+): Promise<{ renderer: Renderer; canvas: HTMLCanvasElement } | null> {
   for (const backend of backends) {
-    if (backend === "canvas2d") break;
-    if (!(await offers(backend))) continue;
+    if (backend === "canvas2d" || !(await offers(backend))) continue;
+    const canvas = document.createElement("canvas");
     try {
-      return new WasmRenderer(await createWasmScene(backend, newCanvas()), backend);
+      return { renderer: new WasmRenderer(await createWasmScene(backend, canvas), backend), canvas };
     } catch (error) {
       console.warn(`The ${backend} renderer did not start.`, error);
     }
   }
-  return new Canvas2dRenderer(newCanvas());
+  return null;
 }
 
 /** `navigator.gpu` exists on machines without an adapter, so it is asked for one before a module is loaded. */

@@ -36,7 +36,9 @@ export function coordinateStep(scenario: Scenario): number {
 }
 
 export function roundTo(value: number, step: number): number {
-  return Number((Math.round(value / step) * step).toFixed(Math.max(0, -Math.floor(Math.log10(step)))));
+  const digits = Math.max(0, -Math.floor(Math.log10(step)));
+  // Adding 0 turns -0, which JSON does not know, into 0.
+  return Number((Math.round(value / step) * step).toFixed(digits)) + 0;
 }
 
 function newAnchorPosition(scenario: Scenario): number[] {

@@ -24,13 +24,14 @@ export class Session {
   selectedAnchor: number | null = $state(null);
   canUndo = $state(false);
   canRedo = $state(false);
-  /** Counts scenarios that replace the whole scene (preset, link): the camera then fits again. */
+  /** Counts runs of scenarios that replaced the whole scene (preset, link): the camera then fits again. */
   opened = $state(0);
   link = $state("");
   #history: History<Entry>;
   #describe: (run: Run) => string;
   #linkTurn = 0;
-  #pendingWhat: string | null = null;
+  #pendingWhat: string | null = "Ready";
+  #pendingFit = false;
 
   constructor(scenario: Scenario, describe: (run: Run) => string) {
     this.#history = new History({ scenario, what: "Opened" });
@@ -71,7 +72,7 @@ export class Session {
   open(what: string, next: Scenario): boolean {
     this.selectedAnchor = null;
     const accepted = this.edit(what, next);
-    if (accepted) this.opened += 1;
+    this.#pendingFit ||= accepted;
     return accepted;
   }
 
@@ -122,6 +123,8 @@ export class Session {
     } catch (error) {
       this.failure = `${sentenceOf(error)} The last good run stays on the screen.`;
     }
+    if (this.#pendingFit) this.opened += 1;
+    this.#pendingFit = false;
     if (this.#pendingWhat === null) return;
     this.announcement = this.run ? `${this.#pendingWhat}. ${this.#describe(this.run)}` : this.#pendingWhat;
     this.#pendingWhat = null;

@@ -1,8 +1,12 @@
 import { getContext, setContext } from "svelte";
+import { MediaQuery } from "svelte/reactivity";
 import type { Lab } from "../lab";
 import { applyTheme, type Palette, readPalette, type Theme } from "../theme/palette";
 import type { Session } from "./session.svelte";
 import { Timeline } from "./timeline.svelte";
+
+const narrow = new MediaQuery("max-width: 700px");
+const medium = new MediaQuery("max-width: 1100px");
 
 /** What every part of the frame shares: the lab, the scenario and its run, the time cursor, the looks. */
 export class Workspace {
@@ -11,6 +15,11 @@ export class Workspace {
   palette: Palette = $state.raw()!;
   /** The anchor under the pointer, or whose row of the table has the focus. */
   hoveredAnchor: number | null = $state(null);
+
+  /** How much room there is: it decides where the numbers stand. */
+  get room(): "narrow" | "medium" | "wide" {
+    return narrow.current ? "narrow" : medium.current ? "medium" : "wide";
+  }
 
   constructor(
     readonly lab: Lab,

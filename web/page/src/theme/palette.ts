@@ -40,9 +40,11 @@ export function readPalette(theme: Theme): Palette {
   };
 }
 
-/** `#rrggbb` as numbers in 0..1. */
+/** `#rrggbb`, or the `#rgb` a style sheet is shortened to, as numbers in 0..1. */
 export function parseHex(hex: string, alpha: number): Color {
-  const value = parseInt(hex.slice(1), 16);
+  const digits = hex.slice(1);
+  const full = digits.length === 3 ? [...digits].map((digit) => digit + digit).join("") : digits;
+  const value = parseInt(full, 16);
   return [(value >> 16) / 255, ((value >> 8) & 255) / 255, (value & 255) / 255, alpha];
 }
 

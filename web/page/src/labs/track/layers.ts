@@ -56,7 +56,7 @@ export const truth: Layer = (input, out) => {
   const sensors = sensorPoints(input, run, run.truth, step);
   const { edges, faces } = hullOfSensors(scenario.sensors);
   for (const [i, j, k] of faces)
-    out.triangle([sensors[i], sensors[j], sensors[k]], [0, 0, 1], palette.rgba("truth", 0.1));
+    out.triangle([sensors[i], sensors[j], sensors[k]], palette.rgba("truth", 0.1));
   for (const [i, j] of edges) out.line(sensors[i], sensors[j], { width: 2, color: palette.rgba("truth") });
   for (const sensor of sensors) out.point(sensor, 3, palette.rgba("truth"), "disc");
   for (const { start, vector, side } of bodyAxes(input, run))

@@ -39,7 +39,7 @@ export function plots(scenario: Scenario, run: Run): PlotSpec[] {
     {
       ...common,
       name: "defect",
-      title: "Defect ‖QᵀQ − I‖ before projection",
+      title: "Defect ‖QᵀQ − I‖",
       unit: "",
       lines: estimatorLines(run, (estimator) => estimator.defects, 1, true).filter(hasPositive),
       threshold: threshold(scenario),

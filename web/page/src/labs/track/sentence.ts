@@ -10,15 +10,15 @@ export function describe(run: Run): string {
   const best = running.reduce((a, b) => (b.orientationErrors[last] < a.orientationErrors[last] ? b : a));
   const degrees = formatReading(best.orientationErrors[last] * DEGREES_PER_RADIAN);
   const metres = formatReading(best.positionErrors[last]);
-  const first = `At the last step ${best.label} has the smallest orientation error, ${degrees}°, and ${metres} m in position`;
-  return [`${first}${boundClause(run, last)}.`, eventSentence(run)].join(" ").trim();
+  const first = `${best.label} ends nearest in orientation, ${degrees}° and ${metres} m off${boundClause(run, last)}.`;
+  return [first, eventSentence(run)].join(" ").trim();
 }
 
 function boundClause(run: Run, step: number): string {
   const [bound] = run.bounds;
   if (!bound) return "";
   const degrees = formatReading(bound.orientation[step] * DEGREES_PER_RADIAN);
-  return `; the ${bound.label} is ${degrees}° and ${formatReading(bound.position[step])} m`;
+  return ` (${bound.label} ${degrees}° and ${formatReading(bound.position[step])} m)`;
 }
 
 function eventSentence(run: Run): string {

@@ -1,0 +1,84 @@
+import { expect, type Locator, type Page } from "@playwright/test";
+
+/** The Track lab as a visitor sees it: reads its numbers, finds its parts. */
+export class Lab {
+  readonly scene: Locator;
+  readonly surface: Locator;
+  readonly status: Locator;
+  readonly alert: Locator;
+  readonly step: Locator;
+
+  constructor(readonly page: Page) {
+    this.scene = page.locator(".scene");
+    this.surface = page.getByRole("application");
+    this.status = page.locator(".status");
+    this.alert = page.getByRole("alert");
+    this.step = page.getByTestId("step");
+  }
+
+  /** Opens the page and waits until the scene's own renderer has taken over from the plain canvas. */
+  static async open(
+    page: Page,
+    address = "./?renderer=canvas2d&theme=light",
+  ): Promise<Lab> {
+    await page.goto(address);
+    const lab = new Lab(page);
+    await expect(lab.scene).not.toHaveAttribute("data-backend", "", {
+      timeout: 60_000,
+    });
+    await expect(lab.status).toContainText("Ready");
+    return lab;
+  }
+
+  /** Orientation error in degrees and position error in metres at the step shown. */
+  errors(estimator: string): Promise<string[]> {
+    return this.page
+      .locator(`[data-estimator="${estimator}"] td`)
+      .allInnerTexts();
+  }
+
+  bound(name = "posterior_crb"): Promise<string[]> {
+    return this.page.locator(`[data-bound="${name}"] td`).allInnerTexts();
+  }
+
+  /** All numbers of the table of errors, as one text. */
+  readout(): Promise<string> {
+    return this.page
+      .getByRole("table", { name: "Errors at this step" })
+      .innerText();
+  }
+
+  async anchor(number: number): Promise<string> {
+    const item = this.page.locator("#scene-twin li").nth(number - 1);
+    return (await item.textContent()) ?? "";
+  }
+
+  /** The pixel of an anchor: its label stands a fixed way beside it. */
+  async anchorPixel(number: number): Promise<{ x: number; y: number }> {
+    const label = this.page.locator("svg.labels text.anchor").nth(number - 1);
+    const box = await this.surface.boundingBox();
+    if (!box) throw new Error("the scene is not on the page");
+    const [x, y] = await Promise.all([
+      label.getAttribute("x"),
+      label.getAttribute("y"),
+    ]);
+    return { x: box.x + Number(x) - 11, y: box.y + Number(y) + 10 };
+  }
+
+  async drag(number: number, dx: number, dy: number): Promise<void> {
+    const from = await this.anchorPixel(number);
+    await this.page.mouse.move(from.x, from.y);
+    await this.page.mouse.down();
+    await this.page.mouse.move(from.x + dx, from.y + dy, { steps: 8 });
+    await this.page.mouse.up();
+  }
+
+  field(label: string): Locator {
+    return this.page.getByRole("textbox", { name: label, exact: true });
+  }
+
+  async type(label: string, value: string): Promise<void> {
+    await this.field(label).fill(value);
+    await this.field(label).press("Enter");
+  }
+}

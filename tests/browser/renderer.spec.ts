@@ -1,0 +1,124 @@
+import { expect, test } from "@playwright/test";
+import { Lab } from "./lab";
+
+const backends = ["webgpu", "webgl", "canvas2d"] as const;
+
+/** Share of pixels of the scene that are not the background, read from a picture of the page. */
+async function inked(lab: Lab): Promise<number> {
+  const png = (await lab.surface.screenshot()).toString("base64");
+  return lab.page.evaluate(async (data) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${data}`;
+    await image.decode();
+    const canvas = new OffscreenCanvas(image.width, image.height);
+    const context = canvas.getContext("2d")!;
+    context.drawImage(image, 0, 0);
+    const { data: pixels } = context.getImageData(
+      0,
+      0,
+      image.width,
+      image.height,
+    );
+    let count = 0;
+    for (let i = 4; i < pixels.length; i += 4)
+      if (
+        Math.abs(pixels[i] - pixels[0]) +
+          Math.abs(pixels[i + 1] - pixels[1]) +
+          Math.abs(pixels[i + 2] - pixels[2]) >
+        30
+      )
+        count += 1;
+    return count / (pixels.length / 4);
+  }, png);
+}
+
+const readouts: Record<string, string> = {};
+const shares: Record<string, number> = {};
+
+for (const backend of backends) {
+  test(`${backend} draws the scene, follows a drag, and shows the same numbers`, async ({
+    page,
+  }) => {
+    test.setTimeout(180_000);
+    // Labels lie over the canvas; they are no evidence of drawing.
+    const lab = await Lab.open(page, `./?renderer=${backend}&theme=light`);
+    await expect(lab.scene).toHaveAttribute("data-backend", backend);
+    await page.addStyleTag({
+      content: ".scene > :not(.surface), svg.labels { visibility: hidden }",
+    });
+    await expect.poll(() => inked(lab)).toBeGreaterThan(0.005);
+    shares[backend] = await inked(lab);
+    readouts[backend] = await lab.readout();
+    const before = await lab.surface.screenshot();
+    await lab.drag(2, 60, -40);
+    await expect(lab.status).toContainText("Anchor 2 moved");
+    expect((await lab.surface.screenshot()).equals(before)).toBe(false);
+  });
+}
+
+test("all three agree on the numbers and, within a quarter, on the ink", () => {
+  for (const backend of backends) {
+    expect(readouts[backend]).toBe(readouts["canvas2d"]);
+    expect(shares[backend] / shares["canvas2d"]).toBeGreaterThan(0.75);
+    expect(shares[backend] / shares["canvas2d"]).toBeLessThan(1.25);
+  }
+});
+
+test("a browser whose GPU has no adapter falls back by itself", async ({
+  page,
+}) => {
+  test.setTimeout(180_000);
+  await page.addInitScript(() => {
+    Object.defineProperty(navigator, "gpu", {
+      value: { requestAdapter: () => Promise.resolve(null) },
+    });
+  });
+  const lab = await Lab.open(page, "./?theme=light");
+  await expect(lab.scene).toHaveAttribute("data-backend", "webgl");
+});
+
+test("a browser without any graphics device gets the plain canvas", async ({
+  page,
+}) => {
+  await page.addInitScript(() => {
+    Object.defineProperty(navigator, "gpu", { value: undefined });
+    const original = HTMLCanvasElement.prototype.getContext as (
+      kind: string,
+      options?: unknown,
+    ) => unknown;
+    HTMLCanvasElement.prototype.getContext = function (
+      this: HTMLCanvasElement,
+      kind: string,
+      options?: unknown,
+    ) {
+      return kind.startsWith("webgl")
+        ? null
+        : original.call(this, kind, options);
+    } as typeof HTMLCanvasElement.prototype.getContext;
+  });
+  const lab = await Lab.open(page, "./?theme=light");
+  await expect(lab.scene).toHaveAttribute("data-backend", "canvas2d");
+  expect(await inked(lab)).toBeGreaterThan(0.005);
+});
+
+test("a lost WebGL context is replaced and the scene drawn again", async ({
+  page,
+}) => {
+  test.setTimeout(180_000);
+  const lab = await Lab.open(page, "./?renderer=webgl&theme=light");
+  const marked = await page.evaluate(() => {
+    const canvas = document.querySelector<HTMLCanvasElement>(".host canvas");
+    canvas?.setAttribute("data-old", "");
+    canvas
+      ?.getContext("webgl2")
+      ?.getExtension("WEBGL_lose_context")
+      ?.loseContext();
+    return canvas !== null;
+  });
+  expect(marked).toBe(true);
+  await page.waitForTimeout(300);
+  await lab.surface.focus();
+  await page.keyboard.press("ArrowLeft");
+  await expect(page.locator(".host canvas[data-old]")).toHaveCount(0);
+  await expect.poll(() => inked(lab)).toBeGreaterThan(0.005);
+});

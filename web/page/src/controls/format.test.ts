@@ -1,0 +1,28 @@
+import { expect, test } from "vitest";
+import { formatNumber, formatReading, parseNumber } from "./format";
+
+test("numbers come back from how they are written", () => {
+  for (const value of [0, 1, -2.5, 0.001, 123456, 1e-9, -1e12])
+    expect(parseNumber(formatNumber(value))).toBe(value);
+});
+
+test.each(["", " ", "abc", "1..2", "NaN", "Infinity", "1e999", "0x10", "1,2,3", "--1"])(
+  "%j is no number",
+  (text) => {
+    expect(parseNumber(text)).toBeNull();
+  },
+);
+
+test("a decimal comma is understood", () => {
+  expect(parseNumber(" 1,5 ")).toBe(1.5);
+});
+
+test("readings have a dash for what is not there", () => {
+  expect([null, NaN, 0.01234, 12.345, 1e-5].map(formatReading)).toEqual([
+    "–",
+    "–",
+    "0.0123",
+    "12.3",
+    "1.0e−5",
+  ]);
+});

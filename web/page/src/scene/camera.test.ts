@@ -1,0 +1,87 @@
+import { describe, expect, test } from "vitest";
+import { type Camera, fit, orbit, pan, View, zoom } from "./camera";
+import type { Vec3 } from "./geometry";
+
+const viewport = { width: 800, height: 600 };
+const camera: Camera = { target: [1, -2, 0.5], yaw: 0.7, pitch: 0.4, distance: 12 };
+const points: Vec3[] = [
+  [3, 1, 0],
+  [-2, -4, 2],
+  [1, -2, 0.5],
+];
+
+describe("View", () => {
+  test("puts the target in the middle at its distance", () => {
+    const { x, y, depth } = new View(camera, viewport).project(camera.target);
+    expect([x, y, depth].map((value) => Number(value.toFixed(9)))).toEqual([400, 300, 12]);
+  });
+
+  test("the ray through a projected point goes through the point", () => {
+    const view = new View(camera, viewport);
+    for (const point of points) {
+      const { x, y } = view.project(point);
+      const { origin, direction } = view.ray(x, y);
+      const along = Math.hypot(point[0] - origin[0], point[1] - origin[1], point[2] - origin[2]);
+      point.forEach((value, axis) => expect(origin[axis] + along * direction[axis]).toBeCloseTo(value, 8));
+    }
+  });
+
+  test("z is up and depth lies in 0..1 of clip space", () => {
+    const view = new View(camera, viewport);
+    const [low, high] = [view.project([1, -2, 0]), view.project([1, -2, 2])];
+    expect(high.y).toBeLessThan(low.y);
+    const m = view.matrix;
+    const [x, y, z] = camera.target;
+    const clipZ = m[2] * x + m[6] * y + m[10] * z + m[14];
+    const clipW = m[3] * x + m[7] * y + m[11] * z + m[15];
+    expect(clipZ / clipW).toBeGreaterThan(0);
+    expect(clipZ / clipW).toBeLessThan(1);
+  });
+
+  test("a pixel at a depth is as wide as it says", () => {
+    const view = new View(camera, viewport);
+    const size = view.metresPerPixel(camera.target);
+    const above = view.project([1, -2, 0.5 + size * 10]);
+    expect(300 - above.y).toBeCloseTo(10 * Math.cos(camera.pitch), 1);
+  });
+
+  test("looking straight down has an up direction: y of the world", () => {
+    const view = new View({ ...camera, yaw: -Math.PI / 2, pitch: Math.PI / 2 }, viewport);
+    const north = view.project([1, -1, 0.5]);
+    expect(north.x).toBeCloseTo(400, 6);
+    expect(north.y).toBeLessThan(299);
+  });
+});
+
+describe("camera moves", () => {
+  test("orbit keeps the distance and stops at the poles", () => {
+    const turned = orbit(camera, 1, 9);
+    expect(turned.pitch).toBe(Math.PI / 2);
+    expect(turned.distance).toBe(camera.distance);
+  });
+
+  test("pan moves the target under the pointer by the same pixels", () => {
+    const view = new View(pan(camera, 40, -25, viewport), viewport);
+    const { x, y } = view.project(camera.target);
+    expect([x, y].map((value) => Math.round(value * 1e6) / 1e6)).toEqual([440, 275]);
+  });
+
+  test("zoom divides the distance", () => {
+    expect(zoom(camera, 2).distance).toBe(6);
+  });
+
+  test.each(["space", "top", "side"] as const)(
+    "fit from %s shows all points and fills most of the view",
+    (from) => {
+      for (const size of [viewport, { width: 390, height: 700 }]) {
+        const view = new View(fit([0, 0, 1], points, from, size), size);
+        const shares = points.flatMap((point) => {
+          const { x, y } = view.project(point);
+          return [Math.abs((2 * x) / size.width - 1), Math.abs((2 * y) / size.height - 1)];
+        });
+        expect(Math.max(...shares)).toBeLessThanOrEqual(0.85);
+        expect(Math.max(...shares)).toBeGreaterThan(0.8);
+      }
+    },
+  );
+});

@@ -1,0 +1,46 @@
+import { expect, test } from "vitest";
+import type { Scenario } from "../scenario";
+import { addAnchor, coordinateStep, moveAnchor, removeAnchor, roundTo, setEstimatorEnabled } from "./edit";
+
+const scenario = {
+  dimension: 3,
+  anchors: [
+    [0, 0, 0],
+    [4, 0, 2],
+    [0, 5, 1],
+  ],
+  estimators: { enabled: ["kf", "uc-kf"] },
+} as unknown as Scenario;
+
+test("edits leave the old scenario alone", () => {
+  const before = JSON.stringify(scenario);
+  moveAnchor(scenario, 1, [9, 9, 9]);
+  addAnchor(scenario);
+  removeAnchor(scenario, 0);
+  expect(JSON.stringify(scenario)).toBe(before);
+});
+
+test("an added anchor is a new place with all coordinates", () => {
+  const { anchors } = addAnchor(scenario);
+  expect(anchors).toHaveLength(4);
+  expect(anchors[3]).toHaveLength(3);
+  expect(anchors.slice(0, 3)).not.toContainEqual(anchors[3]);
+});
+
+test("estimators stay in the listed order", () => {
+  const order = ["kf", "ortho", "uc-kf"] as const;
+  expect(setEstimatorEnabled(scenario, "ortho", true, order).estimators.enabled).toEqual([
+    "kf",
+    "ortho",
+    "uc-kf",
+  ]);
+  expect(setEstimatorEnabled(scenario, "kf", false, order).estimators.enabled).toEqual(["uc-kf"]);
+});
+
+test("a room moves by centimetres, a field of a kilometre by metres", () => {
+  expect(coordinateStep(scenario)).toBeCloseTo(0.01, 12);
+  const field = { ...scenario, anchors: [[800, 0, 0]] };
+  expect(coordinateStep(field)).toBe(1);
+  expect(roundTo(0.1 + 0.2, 0.01)).toBe(0.3);
+  expect(roundTo(1234.56, 1)).toBe(1235);
+});
