@@ -1,0 +1,62 @@
+//! The door from a shell: what can be asked, and who answers.
+
+mod choices;
+mod estimate;
+mod failure;
+mod input;
+mod output;
+mod presets;
+mod run;
+mod simulate;
+mod study;
+mod validate;
+
+use clap::{Parser, Subcommand};
+
+use failure::Failure;
+
+const ABOUT: &str =
+    "Position and orientation of a rigid body from ranges between sensors on it and known anchors";
+const EXAMPLES: &str = "\
+Examples:
+  rangelab presets                               what is there to try
+  rangelab study tracking-paper --trials 1000    errors, bounds and their ratios over many trials
+  rangelab run room --format csv -o run.csv      one trial, every step of every estimator
+  rangelab presets room > mine.json              a scenario to edit, then: rangelab run mine.json
+  rangelab simulate room | rangelab estimate -   what real ranges go through
+
+`rangelab COMMAND --help` says more about each. Lengths are in metres, times in seconds, angles in radians, unless a \
+name says otherwise.
+Only data go to stdout. Exit code 2: the command line or the data are wrong; 1: anything else.";
+
+/// All arguments.
+#[derive(Parser)]
+#[command(name = "rangelab", version, about = ABOUT, after_help = EXAMPLES, arg_required_else_help = true)]
+pub struct CommandLine {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Subcommand)]
+pub enum Command {
+    Run(run::RunCommand),
+    Simulate(simulate::SimulateCommand),
+    Estimate(estimate::EstimateCommand),
+    Study(study::StudyCommand),
+    Presets(presets::PresetsCommand),
+    Validate(validate::ValidateCommand),
+}
+
+impl Command {
+    /// Does what was asked.
+    pub fn execute(&self) -> Result<(), Failure> {
+        match self {
+            Self::Run(command) => command.execute(),
+            Self::Simulate(command) => command.execute(),
+            Self::Estimate(command) => command.execute(),
+            Self::Study(command) => command.execute(),
+            Self::Presets(command) => command.execute(),
+            Self::Validate(command) => command.execute(),
+        }
+    }
+}

@@ -1,0 +1,57 @@
+//! Numbers for people: as many digits as their standard error allows.
+
+use rangelab::study::moments::Estimate;
+
+/// Digits shown of a standard error, and the first digits of a number that is known better than that.
+const ERROR_DIGITS: i32 = 2;
+const EXACT_DIGITS: i32 = 4;
+/// Most digits after the point; beyond, an exponent is easier to read.
+const MOST_DECIMALS: i32 = 6;
+
+/// `value ± standard error`, the error with two digits; the value alone where the error is below its first four.
+pub fn with_error(estimate: Estimate) -> String {
+    let Estimate { value, standard_error } = estimate;
+    if standard_error < 1e-4 * value.abs() || standard_error == 0.0 {
+        return exact(value);
+    }
+    match decimals(standard_error, ERROR_DIGITS) {
+        Some(decimals) if value.abs() < 1e6 => format!("{value:.decimals$} ± {standard_error:.decimals$}"),
+        _ => format!("{value:.2e} ± {standard_error:.0e}"),
+    }
+}
+
+fn exact(value: f64) -> String {
+    match decimals(value, EXACT_DIGITS) {
+        _ if value == 0.0 => "0".to_owned(),
+        Some(decimals) if value.abs() < 1e6 => format!("{value:.decimals$}"),
+        _ => format!("{value:.3e}"),
+    }
+}
+
+/// How many digits after the point show `digits` digits of a number; none if that is too many.
+fn decimals(value: f64, digits: i32) -> Option<usize> {
+    // The exponent as it is printed, so that a number that is rounded up to a power of ten counts as that.
+    let printed = format!("{value:.*e}", usize::try_from(digits - 1).ok()?);
+    let exponent: i32 = printed.split_once('e')?.1.parse().ok()?;
+    let decimals = (digits - 1 - exponent).max(0);
+    usize::try_from(decimals).ok().filter(|_| decimals <= MOST_DECIMALS)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Estimate, with_error};
+
+    #[test]
+    fn the_standard_error_decides_the_digits() {
+        let shown = |value, standard_error| with_error(Estimate { value, standard_error });
+        assert_eq!(shown(0.115_96, 0.002_13), "0.1160 ± 0.0021");
+        assert_eq!(shown(0.115_96, 0.000_996), "0.1160 ± 0.0010");
+        assert_eq!(shown(2.0, 0.25), "2.00 ± 0.25");
+        assert_eq!(shown(12_345.6, 789.0), "12346 ± 789");
+        assert_eq!(shown(0.0, 0.0), "0");
+        assert_eq!(shown(0.032_014_9, 0.0), "0.03201");
+        assert_eq!(shown(0.032_014_9, 5e-7), "0.03201");
+        assert_eq!(shown(3e-9, 4e-11), "3.00e-9 ± 4e-11");
+        assert_eq!(shown(3e9, 4e7), "3.00e9 ± 4e7");
+    }
+}

@@ -1,0 +1,119 @@
+//! `rangelab study`: many trials, and what they say.
+
+mod columns;
+mod comparison;
+mod digits;
+mod table;
+mod workers;
+
+use std::num::NonZero;
+use std::thread::available_parallelism;
+
+use clap::{Args, ValueEnum};
+use indicatif::{ProgressBar, ProgressStyle};
+use rangelab::model::scenario::Scenario;
+use rangelab::study::monte_carlo::MonteCarlo;
+use rangelab::study::report::StudyReport;
+use rangelab::with_dimension;
+
+use super::choices::Choices;
+use super::failure::Failure;
+use super::input::ScenarioInput;
+use super::output::Output;
+
+const EXAMPLES: &str = "\
+Examples:
+  rangelab study tracking-paper --trials 1000            the tracking paper's experiment
+  rangelab study tracking-paper-redrawn --trials 1000    the same, new anchors in every trial
+  rangelab study room --estimators uc-kf,eskf --steps 50 --steps-shown 0,9,49
+  rangelab study mine.json --format csv -o study.csv     every step and figure, for a plot
+
+The table holds root mean square errors with their standard errors, their ratios to the posterior Cramer-Rao bound and \
+to what the estimator's own covariance claims, NEES, and how often Q was projected.
+Trial i always gets the same random numbers, and sums are taken in the order of the trials: the result does not depend \
+on the number of threads. Another seed (--seed 2) shows what is chance. Ctrl-C stops and writes nothing.";
+
+/// Run many trials and compare the errors with what is claimed and what is possible
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub struct StudyCommand {
+    #[command(flatten)]
+    scenario: ScenarioInput,
+
+    /// Number of trials
+    #[arg(long, value_name = "COUNT", default_value_t = 1000)]
+    trials: usize,
+
+    /// Number of threads [default: one for each processor]
+    #[arg(long, value_name = "COUNT")]
+    threads: Option<NonZero<usize>>,
+
+    #[command(flatten)]
+    choices: Choices,
+
+    /// table: for people, at chosen steps; json and csv: every step and figure
+    #[arg(long, value_enum, default_value = "table", help_heading = "Output")]
+    format: StudyFormat,
+
+    /// Steps in the table, from 0, separated by commas [default: 0,1,4,9,19,49,... and the last]
+    #[arg(long, value_name = "STEPS", value_delimiter = ',', help_heading = "Output")]
+    steps_shown: Option<Vec<usize>>,
+
+    #[command(flatten)]
+    output: Output,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum StudyFormat {
+    Table,
+    Json,
+    Csv,
+}
+
+impl StudyCommand {
+    pub fn execute(&self) -> Result<(), Failure> {
+        let scenario = self.scenario.scenario(|scenario| self.choices.apply(&mut scenario.estimators))?;
+        let steps = self.steps(scenario.steps)?;
+        let report = self.study(&scenario).map_err(|error| Failure::about(self.scenario.name(), &error))?;
+        self.output.write(&match self.format {
+            StudyFormat::Table => table::table(&report, &steps),
+            StudyFormat::Csv => columns::csv(&report),
+            StudyFormat::Json => {
+                serde_json::to_string(&report).expect("numbers and texts always have a JSON form")
+            }
+        })
+    }
+
+    fn study(&self, scenario: &Scenario) -> rangelab::Result<StudyReport> {
+        let threads = self.threads.or(available_parallelism().ok()).map_or(1, NonZero::get);
+        with_dimension!(scenario.dimension, D => {
+            let study = MonteCarlo::<D>::new(scenario, self.trials)?;
+            let bar = progress(study.blocks());
+            let total = workers::run(&study, threads, |blocks| bar.set_position(blocks as u64));
+            bar.finish_and_clear();
+            Ok(study.report(&total?))
+        })
+    }
+
+    /// The steps of the table.
+    fn steps(&self, count: usize) -> Result<Vec<usize>, Failure> {
+        let Some(given) = &self.steps_shown else {
+            let marks = [0, 1, 4, 9, 19, 49, 99, 199, 499, 999, 1999, 4999].into_iter();
+            return Ok(marks.take_while(|&step| step + 1 < count).chain([count - 1]).collect());
+        };
+        match given.iter().find(|&&step| step >= count) {
+            None => Ok(given.clone()),
+            Some(step) => Err(Failure::Usage(format!(
+                "--steps-shown {step}: the scenario has {count} steps, 0 to {}",
+                count - 1
+            ))),
+        }
+    }
+}
+
+/// Drawn on stderr, and only where that is a terminal.
+fn progress(blocks: usize) -> ProgressBar {
+    let style = ProgressStyle::with_template("{bar:40} {percent:>3} %, {eta} left")
+        .expect("the template of the progress bar is right");
+    ProgressBar::new(blocks as u64).with_style(style)
+}
