@@ -68,8 +68,7 @@ fn the_posterior_bounds_of_the_fixed_tracking_draw() {
 /// Median and its standard error, from the order statistics one binomial deviation away.
 fn median(mut values: Vec<f64>) -> (f64, f64) {
     values.sort_by(f64::total_cmp);
-    let (middle, deviation) = (values.len() / 2, (values.len() as f64).sqrt() / 2.0);
-    let half_width = deviation.round() as usize;
+    let (middle, half_width) = (values.len() / 2, values.len().isqrt() / 2);
     (values[middle], (values[middle + half_width] - values[middle - half_width]) / 2.0)
 }
 
@@ -78,7 +77,8 @@ fn what_the_projection_costs_in_the_localization_set_up() {
     const DRAWS: usize = 4000;
     for expected in reference()["projection_cost"].as_array().expect("a list") {
         let number = |key: &str| expected[key].as_f64().expect("a number");
-        let anchors = number("anchors") as usize;
+        let anchors =
+            expected["anchors"].as_u64().and_then(|count| usize::try_from(count).ok()).expect("a count");
         let mut random = Pcg64Mcg::seed_from_u64(anchors as u64);
         let ratios: Vec<(f64, f64)> = (0..DRAWS)
             .map(|_| {

@@ -45,11 +45,11 @@ pub fn model<const D: usize>(
 }
 
 /// Anchors in a room of 10 m, a body of about 1 m with its frame anywhere, any orientation, each kind of noise.
-pub fn random<const D: usize>(trial: u64, weighting: Weighting) -> Scene<D> {
-    let mut random = Pcg64Mcg::seed_from_u64(trial);
-    let count = trial as usize;
-    let anchors = points(&mut random, D + 1 + count % 4, 5.0);
-    let sensors = points(&mut random, D + 1 + count % 3, 0.5);
+pub fn random<const D: usize>(trial: usize, weighting: Weighting) -> Scene<D> {
+    let mut random = Pcg64Mcg::seed_from_u64(trial as u64);
+
+    let anchors = points(&mut random, D + 1 + trial % 4, 5.0);
+    let sensors = points(&mut random, D + 1 + trial % 3, 0.5);
     let noise = match trial % 3 {
         0 => RangeNoise::Range { sigma: 0.05 },
         1 => RangeNoise::SquaredRange { sigma: 0.1 },
