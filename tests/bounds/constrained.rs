@@ -1,8 +1,9 @@
 //! The bounds from one epoch against the papers' stacked matrices, and against each other.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, SMatrix};
 use rangelab::bounds::constrained::image;
-use rangelab::bounds::{crb, unitary_crb};
+use rangelab::bounds::{Bound, crb, observability, unitary_crb};
+use rangelab::math::rotation::{Manifold, Rotation};
 use rangelab::model::ranging::{RangeForm, Weighting};
 
 use crate::dense::{
@@ -96,6 +97,62 @@ fn knowledge_never_hurts<const D: usize>() {
         gains.1 += usize::from(raw.shift_block().trace() < 0.9 * constrained.shift_block().trace());
     }
     assert!(gains.0 > 90 && gains.1 > 50, "gains of more than 10 % in {gains:?} of 100 scenes");
+}
+
+/// The angle variance of a linear bound against the projection itself: `P = sum l l^T`, each `l` a small error of `Q`.
+fn angle_variance_is_that_of_the_nearest_rotation<const D: usize>() {
+    for trial in 0..20 {
+        let scene = random::<D>(trial, Weighting::PerPair);
+        let rotation = scene.pose.rotation;
+        let matrix = crb(&scene.information(RangeForm::Projected)).unwrap();
+        let factor = of_blocks(&matrix).cholesky().unwrap().l();
+        let step = 1e-6 / factor.amax();
+        let angles = (0..D * (D + 1)).map(|k| {
+            let error = SMatrix::<f64, D, D>::from_fn(|i, j| step * factor[(j * D + i, k)]);
+            let nearest = Rotation::project(&(rotation.matrix() + error), Manifold::So);
+            rotation.inverse().compose(&nearest).angle() / step
+        });
+        let expected = angles.map(|x| x * x).sum::<f64>();
+        let found = Bound::linear(matrix, Some(&rotation)).angle_variance.unwrap();
+        assert!((found / expected - 1.0).abs() < 1e-4, "trial {trial}: {found:e} against {expected:e}");
+    }
+}
+
+/// The weakest motion has the largest variance of all, angles counted as metres at the sensors.
+fn weakest_motion_has_the_largest_variance<const D: usize>() {
+    for trial in 0..50 {
+        let scene = random::<D>(trial, Weighting::PerPair);
+        let information = scene.information(RangeForm::Raw);
+        let topology = scene.model.topology();
+        let size = (topology.gram().trace() / topology.len() as f64).sqrt();
+        let mut covariance = of_tangent(&unitary_crb(&information).unwrap());
+        for i in 0..D * (D - 1) / 2 {
+            covariance.row_mut(i).scale_mut(size);
+            covariance.column_mut(i).scale_mut(size);
+        }
+        let largest = covariance.symmetric_eigenvalues().max().sqrt();
+        let found = observability(&information).weakest;
+        let deviation = found.standard_deviation.unwrap();
+        assert!((deviation / largest - 1.0).abs() < 1e-9, "trial {trial}: {deviation:e} against {largest:e}");
+        let turned = size * nalgebra::Vector3::from(found.rotation).norm();
+        assert!((turned * turned - found.turning).abs() < 1e-12, "trial {trial}: {turned}");
+        assert!(
+            (found.turning + found.shift.norm_squared() - 1.0).abs() < 1e-12,
+            "trial {trial}: 1 m in all"
+        );
+    }
+}
+
+#[test]
+fn the_angle_of_a_linear_bound_is_that_of_the_nearest_rotation() {
+    angle_variance_is_that_of_the_nearest_rotation::<2>();
+    angle_variance_is_that_of_the_nearest_rotation::<3>();
+}
+
+#[test]
+fn the_weakest_motion_has_the_largest_variance() {
+    weakest_motion_has_the_largest_variance::<2>();
+    weakest_motion_has_the_largest_variance::<3>();
 }
 
 #[test]
