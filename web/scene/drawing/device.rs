@@ -4,8 +4,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use wgpu::{
-    Adapter, Backends, Device, DeviceDescriptor, Instance, InstanceDescriptor, Limits, MemoryHints,
-    PowerPreference, Queue, RequestAdapterOptions, Surface,
+    Adapter, Backends, Device, DeviceDescriptor, GlFenceBehavior, Instance, InstanceDescriptor, Limits,
+    MemoryHints, PowerPreference, Queue, RequestAdapterOptions, Surface,
 };
 
 use crate::error::SceneError;
@@ -50,6 +50,8 @@ pub(crate) fn instance() -> Instance {
     } else {
         Backends::GL
     };
+    // WebGL copies what it is given at once: staging memory need not wait until a slow card has drawn.
+    descriptor.backend_options.gl.fence_behavior = GlFenceBehavior::AutoFinish;
     Instance::new(descriptor)
 }
 
