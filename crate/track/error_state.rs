@@ -1,6 +1,6 @@
 //! The error-state Kalman filter on SO(D) x R^D: the yardstick beyond the paper.
 
-use super::filter::{Consistency, Estimator, Step, Uncertainty, not_positive};
+use super::filter::{Consistency, Estimator, Step, Uncertainty, not_positive, require_finite};
 use crate::error::Result;
 use crate::math::pose::{Pose, Theta};
 use crate::math::rotation::{Angles, Manifold, Rotation, defect, right_jacobian_inverse, rotation_angles};
@@ -127,6 +127,7 @@ fn prior_jacobian<const D: usize>(phi: &Angles) -> TangentTransform {
 impl<const D: usize> Estimator<D> for ErrorStateKalmanFilter<D> {
     fn step(&mut self, epoch: &Epoch<D>) -> Result<Step<D>> {
         let prior = epoch.motion.predict_pose(&self.pose, &epoch.motion.rotation());
+        require_finite(&Theta::from(prior))?;
         let mut predicted = self.covariance;
         predicted.add_isotropic(
             self.process.sigma_q * self.process.sigma_q,

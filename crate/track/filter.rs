@@ -133,6 +133,18 @@ impl<const D: usize> Step<D> {
     }
 }
 
+/// Ranges may all be missing: then nothing after the prediction would notice.
+pub(super) fn require_finite<const D: usize>(prior: &Theta<D>) -> Result<()> {
+    match prior.orientation.iter().chain(prior.position.iter()).find(|x| !x.is_finite()) {
+        Some(&value) => Err(Error::Number {
+            what: "an entry of the predicted [Q | t]",
+            value,
+            limit: "finite: so must be the pose before, the velocities and the interval",
+        }),
+        None => Ok(()),
+    }
+}
+
 pub(super) fn not_positive(pivot: f64) -> Error {
     Error::NotPositiveDefinite { what: "the covariance of an estimate", pivot }
 }

@@ -1,6 +1,6 @@
 //! The unconstrained Kalman filter on `theta = vec([Q | t])` ([T] Sec. IV-A).
 
-use super::filter::{Consistency, Estimator, Step, Uncertainty};
+use super::filter::{Consistency, Estimator, Step, Uncertainty, require_finite};
 use crate::error::Result;
 use crate::math::pose::Theta;
 use crate::math::rotation::defect;
@@ -69,6 +69,7 @@ impl<const D: usize> KalmanFilter<D> {
     pub(super) fn update(&mut self, epoch: &Epoch<D>) -> Result<Update<D>> {
         let rotation = epoch.motion.rotation();
         let prior = epoch.motion.predict_theta(&self.theta, &rotation);
+        require_finite(&prior)?;
         let mut prior_covariance = self.covariance;
         prior_covariance.predict(rotation.matrix(), &self.process);
         let normal = self.model.normal_equations(

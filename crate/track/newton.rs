@@ -7,12 +7,23 @@ use crate::error::{Error, Result};
 use crate::math::block::BlockMatrix;
 use crate::math::linalg::spd_inverse;
 use crate::math::pose::Theta;
-use crate::math::rotation::{MAX_ANGLES, Rotation};
+use crate::math::rotation::{MAX_ANGLES, Manifold, Rotation};
+use crate::math::singular::singular;
 
-const MAX_ITERATIONS: usize = 100;
+/// Ill-conditioned metrics make narrow curved valleys, along which steps are short: hundreds of steps, hardly ever.
+const MAX_ITERATIONS: usize = 1000;
 
 /// Steps below this (rad) lie where the cost no longer tells better from worse in double precision.
 const LOCAL_STEP: f64 = 1e-5;
+
+/// So do steps that promise to lower the cost by less than rounding the entries of `R` changes it: this part of `||W (q -
+/// q_hat)||`.
+const ROUNDING: f64 = 1e-14;
+
+/// A curvature is negative beyond rounding below minus this part of the largest.
+const CURVATURE: f64 = 1e-10;
+
+const HALVINGS: usize = 40;
 
 type Angles3 = SVector<f64, MAX_ANGLES>;
 type Hessian = SMatrix<f64, MAX_ANGLES, MAX_ANGLES>;
@@ -29,14 +40,18 @@ pub(super) fn newton<const D: usize>(
     let mut rotation = start;
     let mut last = f64::INFINITY;
     for _ in 0..MAX_ITERATIONS {
-        let (step, damped) = newton_step(&rotation, q, metric);
+        let Step { step, convex, fall, noise } = newton_step(&rotation, q, metric);
         let size = step.norm();
-        let local = size < LOCAL_STEP && !damped;
+        let local = convex && (size < LOCAL_STEP || fall <= noise);
         if size <= f64::EPSILON || (local && size >= 0.5 * last) {
-            return Ok(Rotation::project(rotation.matrix(), crate::math::rotation::Manifold::So));
+            return Ok(Rotation::project(rotation.matrix(), Manifold::So));
         }
-        rotation = if local { moved(&rotation, &step) } else { descend(&rotation, &step, q, metric) };
-        last = size;
+        let next =
+            if local { Some(moved(&rotation, &step)) } else { descend(&rotation, &step, noise, q, metric) };
+        let Some(next) = next else {
+            return Ok(Rotation::project(rotation.matrix(), Manifold::So));
+        };
+        (rotation, last) = (next, size);
     }
     Err(Error::NoConvergence {
         what: "Newton's method on SO(3)",
@@ -45,12 +60,22 @@ pub(super) fn newton<const D: usize>(
     })
 }
 
-/// The Newton step at `rotation`, and whether the Hessian had to be made positive definite for it.
+struct Step {
+    step: Angles3,
+    /// The Hessian is positive definite.
+    convex: bool,
+    /// The fall of the cost that the step promises.
+    fall: f64,
+    /// What rounding adds to the cost.
+    noise: f64,
+}
+
+/// The Newton step at `rotation`.
 fn newton_step<const D: usize>(
     rotation: &Rotation<D>,
     q: &SMatrix<f64, D, D>,
     metric: &BlockMatrix<D>,
-) -> (Angles3, bool) {
+) -> Step {
     let residual = metric.times(&difference(rotation, q));
     let tangents: [Theta<D>; MAX_ANGLES] =
         core::array::from_fn(|i| Theta { orientation: rotation.tangent(i), position: SVector::zeros() });
@@ -71,43 +96,53 @@ fn newton_step<const D: usize>(
         }
         hessian[(i, i)] -= trace;
     }
-    damped_solve(&hessian, &gradient)
+    let noise = ROUNDING * residual.orientation.norm();
+    let (step, convex) = match spd_inverse(&hessian) {
+        Ok(inverse) => (-(inverse * gradient), true),
+        Err(_) => (indefinite_step(&hessian, &gradient, noise), false),
+    };
+    Step { step, convex, fall: -gradient.dot(&step), noise }
 }
 
-/// `-(H + shift)^-1 g` with the least shift tried that makes the matrix positive definite.
-fn damped_solve(hessian: &Hessian, gradient: &Angles3) -> (Angles3, bool) {
-    let scale = hessian.norm();
-    let mut shift = 0.0;
-    loop {
-        if let Ok(inverse) = spd_inverse(&(hessian + Hessian::identity() * shift)) {
-            return (-(inverse * gradient), shift > 0.0);
-        }
-        shift = if shift == 0.0 { 1e-3 * scale } else { 4.0 * shift };
-        if !(shift < 1e6 * scale) {
-            return (Angles3::zeros(), true);
+/// The step where the Hessian is not positive definite: Newton's with curvatures by their size, `-|H|^-1 g`, so that it goes
+/// down; on a saddle or a maximum, where the slope is noise, a tenth of a radian along the most negative curvature (both
+/// ways are equally good); none where no curvature is negative.
+fn indefinite_step(hessian: &Hessian, gradient: &Angles3, noise: f64) -> Angles3 {
+    let s = singular(hessian);
+    let floor = CURVATURE * s.values[0];
+    let curvature = |k: usize| s.left.column(k).dot(&s.right.column(k)) * s.values[k];
+    let mut step = Angles3::zeros();
+    for k in 0..MAX_ANGLES {
+        let direction = s.right.column(k);
+        if s.values[k] > floor {
+            step -= direction * (direction.dot(gradient) / s.values[k]);
         }
     }
+    if -gradient.dot(&step) > noise {
+        return step;
+    }
+    let steepest = (0..MAX_ANGLES).fold(0, |best, k| if curvature(k) < curvature(best) { k } else { best });
+    if curvature(steepest) < -floor { s.right.column(steepest) * 0.1 } else { Angles3::zeros() }
 }
 
 fn moved<const D: usize>(rotation: &Rotation<D>, step: &Angles3) -> Rotation<D> {
     rotation.compose(&Rotation::exp(&[step[0], step[1], step[2]]))
 }
 
-/// Halves the step until the cost falls; where it never does, stays.
+/// Halves the step until the cost falls by more than noise; `None` where it never does.
 fn descend<const D: usize>(
     rotation: &Rotation<D>,
     step: &Angles3,
+    noise: f64,
     q: &SMatrix<f64, D, D>,
     metric: &BlockMatrix<D>,
-) -> Rotation<D> {
-    let before = cost(rotation, q, metric);
-    let mut step = *step;
-    for _ in 0..40 {
-        let candidate = moved(rotation, &step);
-        if cost(&candidate, q, metric) <= before {
-            return candidate;
-        }
-        step *= 0.5;
-    }
-    *rotation
+) -> Option<Rotation<D>> {
+    let limit = cost(rotation, q, metric) - noise;
+    (0..HALVINGS)
+        .scan(*step, |step, _| {
+            let candidate = moved(rotation, step);
+            *step *= 0.5;
+            Some(candidate)
+        })
+        .find(|candidate| cost(candidate, q, metric) < limit)
 }

@@ -90,8 +90,9 @@ fn block_inverse_is_the_dense_inverse<const D: usize>() {
     let mut sampler = Sampler::new(34);
     for spread in [0.0, 1.0, 3.0] {
         for _ in 0..100 {
-            let scale =
-                |i: usize| rangelab::math::float::pow(10.0, if i % 2 == 0 { spread } else { -spread });
+            let scale = |i: usize| {
+                rangelab::math::float::pow(10.0, if i.is_multiple_of(2) { spread } else { -spread })
+            };
             let a = blocks::<D>(&mut sampler, scale);
             let inverse = dense::matrix(&a.inverse().unwrap());
             let scaled = |power: f64, m: &DMatrix<f64>| {

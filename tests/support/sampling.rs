@@ -73,7 +73,9 @@ impl Sampler {
         let mut sensors: Vec<SVector<f64, D>> = (0..count).map(|_| self.vector(0.5)).collect();
         if centred {
             let mean = sensors.iter().sum::<SVector<f64, D>>() / count as f64;
-            sensors.iter_mut().for_each(|c| *c -= mean);
+            for c in &mut sensors {
+                *c -= mean;
+            }
         }
         Topology::new(sensors).unwrap()
     }
