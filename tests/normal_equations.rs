@@ -135,7 +135,36 @@ fn planted_errors_are_seen<const D: usize>() {
     }
 }
 
-/// Squared ranges are quadratic in `theta`: central differences of any step are exact.
+/// What the raw form must be, `J^T W J`, `J^T W e` and `e^T W e`. Squared ranges are quadratic in `theta`: central
+/// differences of any step are exact.
+fn by_differences<const D: usize>(problem: &Problem<D>) -> (DMatrix<f64>, DVector<f64>, f64) {
+    let at = |theta: &DVector<f64>| problem.model.exact_ranges(&dense::theta(theta)).unwrap();
+    let reference = dense::vector(&problem.reference);
+    let slopes: Vec<(Ranges, Ranges)> = (0..reference.len())
+        .map(|k| {
+            let mut step = DVector::zeros(reference.len());
+            step[k] = 0.5;
+            (at(&(&reference + &step)), at(&(&reference - &step)))
+        })
+        .collect();
+    let (mut information, mut innovation, mut energy) =
+        (DMatrix::zeros(reference.len(), reference.len()), DVector::zeros(reference.len()), 0.0);
+    let predicted = at(&reference);
+    for n in 0..problem.ranges.sensors() {
+        for m in 0..problem.ranges.anchors() {
+            let Some(d) = problem.ranges.get(m, n) else { continue };
+            let row = DVector::from_fn(reference.len(), |k, _| {
+                slopes[k].0.get(m, n).unwrap() - slopes[k].1.get(m, n).unwrap()
+            });
+            let (w, e) = (problem.weight(m, n), d - predicted.get(m, n).unwrap());
+            information += &row * row.transpose() * w;
+            innovation += &row * (w * e);
+            energy += w * e * e;
+        }
+    }
+    (information, innovation, energy)
+}
+
 fn raw_form_is_the_derivative_of_the_ranges<const D: usize>() {
     let mut sampler = Sampler::new(102);
     for index in 0..200 {
@@ -144,30 +173,7 @@ fn raw_form_is_the_derivative_of_the_ranges<const D: usize>() {
         if normal.ranges == 0 {
             continue;
         }
-        let at = |theta: &DVector<f64>| problem.model.exact_ranges(&dense::theta(theta)).unwrap();
-        let reference = dense::vector(&problem.reference);
-        let slopes: Vec<(Ranges, Ranges)> = (0..reference.len())
-            .map(|k| {
-                let mut step = DVector::zeros(reference.len());
-                step[k] = 0.5;
-                (at(&(&reference + &step)), at(&(&reference - &step)))
-            })
-            .collect();
-        let (mut information, mut innovation, mut energy) =
-            (DMatrix::zeros(reference.len(), reference.len()), DVector::zeros(reference.len()), 0.0);
-        let predicted = at(&reference);
-        for n in 0..problem.ranges.sensors() {
-            for m in 0..problem.ranges.anchors() {
-                let Some(d) = problem.ranges.get(m, n) else { continue };
-                let row = DVector::from_fn(reference.len(), |k, _| {
-                    slopes[k].0.get(m, n).unwrap() - slopes[k].1.get(m, n).unwrap()
-                });
-                let (w, e) = (problem.weight(m, n), d - predicted.get(m, n).unwrap());
-                information += &row * row.transpose() * w;
-                innovation += &row * (w * e);
-                energy += w * e * e;
-            }
-        }
+        let (information, innovation, energy) = by_differences(&problem);
         at_most("Lambda", dense::difference(&dense_information(&normal), &information), 1e-11);
         at_most(
             "innovation",

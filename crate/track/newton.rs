@@ -40,7 +40,7 @@ pub(super) fn newton<const D: usize>(
     let mut rotation = start;
     let mut last = f64::INFINITY;
     for _ in 0..MAX_ITERATIONS {
-        let Step { step, convex, fall, noise } = newton_step(&rotation, q, metric);
+        let Step { angles: step, convex, fall, noise } = newton_step(&rotation, q, metric);
         let size = step.norm();
         let local = convex && (size < LOCAL_STEP || fall <= noise);
         if size <= f64::EPSILON || (local && size >= 0.5 * last) {
@@ -61,7 +61,7 @@ pub(super) fn newton<const D: usize>(
 }
 
 struct Step {
-    step: Angles3,
+    angles: Angles3,
     /// The Hessian is positive definite.
     convex: bool,
     /// The fall of the cost that the step promises.
@@ -101,7 +101,7 @@ fn newton_step<const D: usize>(
         Ok(inverse) => (-(inverse * gradient), true),
         Err(_) => (indefinite_step(&hessian, &gradient, noise), false),
     };
-    Step { step, convex, fall: -gradient.dot(&step), noise }
+    Step { angles: step, convex, fall: -gradient.dot(&step), noise }
 }
 
 /// The step where the Hessian is not positive definite: Newton's with curvatures by their size, `-|H|^-1 g`, so that it goes

@@ -43,10 +43,9 @@ fn gradient<const D: usize>(r: &Rotation<D>, q: &SMatrix<f64, D, D>, metric: &Bl
 
 fn the_gradient_vanishes_and_the_cost_rises<const D: usize>() {
     let mut sampler = Sampler::new(300);
-    for index in 0..400 {
-        let w = metric::<D>(&mut sampler, f64::from(index % 4));
-        let q = sampler.rotation::<D>().matrix()
-            + sampler.matrix::<D>([1e-9, 0.01, 0.1, 1.0][index as usize / 100]);
+    for index in 0..400_usize {
+        let w = metric::<D>(&mut sampler, [0.0, 1.0, 2.0, 3.0][index % 4]);
+        let q = sampler.rotation::<D>().matrix() + sampler.matrix::<D>([1e-9, 0.01, 0.1, 1.0][index / 100]);
         for manifold in [Manifold::So, Manifold::O] {
             let r = project_in_metric(&q, &w, manifold).unwrap();
             at_most("defect", defect(r.matrix()), 3e-15);
