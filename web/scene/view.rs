@@ -59,7 +59,7 @@ impl View {
     }
 
     /// The numbers that the shaders read: matrix, eye, then width, height and metres per pixel at clip w = 1.
-    pub(crate) fn uniform(&self) -> [f32; 24] {
+    pub fn uniform(&self) -> [f32; 24] {
         let [_, r1, _, _] = rows(&self.clip_from_world);
         let vertical = (r1[0] * r1[0] + r1[1] * r1[1] + r1[2] * r1[2]).sqrt();
         let mut uniform = [0.0; 24];
