@@ -12,8 +12,9 @@ const FLOORS: [&[&str]; 5] = [
 ];
 const ESTIMATORS: [&str; 4] = ["localize", "track", "inertial", "anchorless"];
 const DOORS: [&str; 6] = ["lib.rs", "main.rs", "cli", "benches", "examples", "prelude.rs"];
-/// What `crate::error` lends to the root, so that everyone says `crate::Error`.
-const ROOT_NAMES: [&str; 3] = ["Error", "Problem", "Result"];
+/// What `crate::error` lends to the root, so that everyone says `crate::Error`, and the exported macro of `model`, which
+/// the language puts there.
+const ROOT_NAMES: [&str; 4] = ["Error", "Problem", "Result", "with_dimension"];
 /// The one file that may name `libm`.
 const FLOAT: &str = "crate/math/float.rs";
 /// The one file of the page that may import WebAssembly.
