@@ -14,6 +14,27 @@ pub struct Estimate {
     pub standard_error: f64,
 }
 
+impl Estimate {
+    /// Its ratio to another number; `None` where one of the two is not positive.
+    ///
+    /// The relative standard errors are added in quadrature, which overstates where the two rise and fall together.
+    ///
+    /// ```
+    /// use rangelab::study::moments::Estimate;
+    /// let (a, b) = (Estimate { value: 3.0, standard_error: 0.3 }, Estimate { value: 2.0, standard_error: 0.0 });
+    /// assert_eq!(a.over(b).map(|ratio| ratio.value), Some(1.5));
+    /// assert_eq!(b.over(Estimate { value: 0.0, ..a }), None);
+    /// ```
+    pub fn over(self, other: Self) -> Option<Self> {
+        if !(self.value > 0.0 && other.value > 0.0) {
+            return None;
+        }
+        let value = self.value / other.value;
+        let (mine, theirs) = (self.standard_error / self.value, other.standard_error / other.value);
+        Some(Self { value, standard_error: value * sqrt(mine * mine + theirs * theirs) })
+    }
+}
+
 /// Running mean and spread (Welford, merged by Chan's formula), so that blocks of trials can be joined in order.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Moments {

@@ -7,7 +7,7 @@ use rangelab::study::moments::Estimate;
 use rangelab::study::report::{EstimatorReport, StudyReport};
 use rangelab::study::tally::Summary;
 
-use super::comparison::{bound, bound_of, ratio};
+use super::comparison::{bound, bound_of};
 use super::digits::with_error;
 
 const HEADER: [&str; 11] = [
@@ -74,7 +74,7 @@ fn estimator_row(report: &StudyReport, estimator: &EstimatorReport, step: usize)
         return [estimator.label.clone()].into_iter().chain(empty).chain([failed]).collect();
     }
     let bound = bound(report, bound_of(estimator.name), step);
-    let over = |of: Estimate, by: Option<Estimate>| optional(by.and_then(|by| ratio(of, by)));
+    let over = |of: Estimate, by: Option<Estimate>| optional(by.and_then(|by| of.over(by)));
     vec![
         estimator.label.clone(),
         with_error(summary.rmse_orientation),
