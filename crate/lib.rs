@@ -13,3 +13,8 @@ pub mod study;
 pub mod track;
 
 pub use error::{Error, Problem, Result};
+
+/// The program in the README, run by rustdoc.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;
