@@ -6,26 +6,22 @@ use rangelab::study::moments::Estimate;
 const ERROR_DIGITS: i32 = 2;
 const EXACT_DIGITS: i32 = 4;
 /// Most digits after the point; beyond, an exponent is easier to read.
-const MOST_DECIMALS: i32 = 6;
+const MOST_DECIMALS: i32 = 7;
 
-/// `value ± standard error`, the error with two digits; the value alone where the error is below its first four.
+/// `value ± standard error`, the error with two digits; the value alone where the error does not reach its first four.
 pub fn with_error(estimate: Estimate) -> String {
     let Estimate { value, standard_error } = estimate;
-    if standard_error < 1e-4 * value.abs() || standard_error == 0.0 {
-        return exact(value);
-    }
-    match decimals(standard_error, ERROR_DIGITS) {
-        Some(decimals) if value.abs() < 1e6 => format!("{value:.decimals$} ± {standard_error:.decimals$}"),
+    let first_digits = decimals(value, EXACT_DIGITS).filter(|_| value.abs() < 1e6);
+    match (first_digits, decimals(standard_error, ERROR_DIGITS)) {
+        _ if value == 0.0 && standard_error == 0.0 => "0".to_owned(),
+        (Some(digits), _) if rounds_to_zero(standard_error, digits) => format!("{value:.digits$}"),
+        (Some(_), Some(digits)) => format!("{value:.digits$} ± {standard_error:.digits$}"),
         _ => format!("{value:.2e} ± {standard_error:.0e}"),
     }
 }
 
-fn exact(value: f64) -> String {
-    match decimals(value, EXACT_DIGITS) {
-        _ if value == 0.0 => "0".to_owned(),
-        Some(decimals) if value.abs() < 1e6 => format!("{value:.decimals$}"),
-        _ => format!("{value:.3e}"),
-    }
+fn rounds_to_zero(standard_error: f64, decimals: usize) -> bool {
+    !format!("{standard_error:.decimals$}").contains(|c: char| ('1'..='9').contains(&c))
 }
 
 /// How many digits after the point show `digits` digits of a number; none if that is too many.
@@ -50,7 +46,9 @@ mod tests {
         assert_eq!(shown(12_345.6, 789.0), "12346 ± 789");
         assert_eq!(shown(0.0, 0.0), "0");
         assert_eq!(shown(0.032_014_9, 0.0), "0.03201");
-        assert_eq!(shown(0.032_014_9, 5e-7), "0.03201");
+        assert_eq!(shown(0.032_014_9, 4e-6), "0.03201");
+        assert_eq!(shown(0.032_014_9, 6e-6), "0.0320149 ± 0.0000060");
+        assert_eq!(shown(0.0, 0.1), "0.00 ± 0.10");
         assert_eq!(shown(3e-9, 4e-11), "3.00e-9 ± 4e-11");
         assert_eq!(shown(3e9, 4e7), "3.00e9 ± 4e7");
     }

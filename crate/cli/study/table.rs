@@ -27,7 +27,7 @@ const HEADER: [&str; 11] = [
 const BOUNDS: [BoundKind; 3] =
     [BoundKind::LinearPosteriorCrb, BoundKind::PosteriorCrb, BoundKind::PosteriorCrbRaw];
 const LEGEND: &str = "\
-Each figure ± its standard error.
+Each figure ± its standard error; a figure alone is certain to the digits shown.
   RMSE Q          root mean square of ||Q_hat - Q||_F, Q_hat as reported; angle: of the rotation nearest to it
   /bound          ratio to posterior_crb, for ESKF raw to posterior_crb_raw
   RMSE/claimed Q  ratio to sqrt(tr P_q), what the estimator's own covariance claims; 1 where it is right
@@ -35,7 +35,8 @@ Each figure ± its standard error.
   projected       share of the trials in which Q was projected onto the rotations
   mirrored        share of the trials in which the reported Q mirrors the body
   failed          trials that ended in an error by this step
-Bounds (the others by --format csv):";
+Bounds (the others by --format csv). They average over all that the initial covariance holds possible: where a scenario
+starts closer to the truth than that and the ranges see little, errors can lie below them.";
 
 type Row = Vec<String>;
 
