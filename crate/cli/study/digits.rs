@@ -16,6 +16,7 @@ pub fn with_error(estimate: Estimate) -> String {
         _ if value == 0.0 && standard_error == 0.0 => "0".to_owned(),
         (Some(digits), _) if rounds_to_zero(standard_error, digits) => format!("{value:.digits$}"),
         (Some(_), Some(digits)) => format!("{value:.digits$} ± {standard_error:.digits$}"),
+        _ if standard_error < 5e-4 * value.abs() => format!("{value:.3e}"),
         _ => format!("{value:.2e} ± {standard_error:.0e}"),
     }
 }
@@ -50,6 +51,7 @@ mod tests {
         assert_eq!(shown(0.032_014_9, 6e-6), "0.0320149 ± 0.0000060");
         assert_eq!(shown(0.0, 0.1), "0.00 ± 0.10");
         assert_eq!(shown(3e-9, 4e-11), "3.00e-9 ± 4e-11");
+        assert_eq!(shown(3e9, 4e5), "3.000e9");
         assert_eq!(shown(3e9, 4e7), "3.00e9 ± 4e7");
     }
 }

@@ -51,7 +51,8 @@ pub fn table(report: &StudyReport, steps: &[usize]) -> String {
         let cells = kept.iter().zip(&widths).map(|(&column, &width)| format!("{:<width$}", row[column]));
         cells.collect::<Vec<_>>().join("  ").trim_end().to_owned() + "\n"
     };
-    let mut text = format!("{}: {} trials\n", report.name, report.trials);
+    let name = if report.name.is_empty() { "no name" } else { &report.name };
+    let mut text = format!("{name}: {} trials\n", report.trials);
     for (step, rows) in steps.iter().zip(&sections) {
         let mut header = HEADER.map(str::to_owned);
         header[0] = format!("step {step}");
