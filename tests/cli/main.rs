@@ -138,6 +138,18 @@ fn an_estimator_that_stops_is_named_and_the_rest_is_written() {
 }
 
 #[test]
+fn a_study_counts_the_trials_that_stop() {
+    let far = r#"{"version": 1, "dimension": 2, "anchors": [[0, 0], [1, 0], [0, 1]], "sensors": [[0, 0], [1, 0], [3, 2]],
+        "noise": {"kind": "range", "sigma": 1e-6}, "initial": {"covariance": 1e12}, "steps": 2,
+        "start": {"orientation": [[1, 0], [0, 1]], "position": [1e9, 1e9]}}"#;
+    let text = rangelab_with(far, &["study", "-", "--trials", "4", "--steps-shown", "1"]).data();
+    let line = |start: &str| text.lines().find(|line| line.starts_with(start)).unwrap();
+    assert!(line("step 1").ends_with("  failed"), "{text}");
+    assert_eq!(line("ESKF raw").split_whitespace().collect::<Vec<_>>(), ["ESKF", "raw", "4"], "{text}");
+    assert!(line("KF ").contains('±'), "{text}");
+}
+
+#[test]
 fn a_closed_pipe_is_no_error() {
     let outcome = command::rangelab_unread(&["simulate", "tracking-paper", "--steps", "2000"]);
     assert_eq!((outcome.code, outcome.stderr.as_str()), (0, ""));
