@@ -1,1 +1,91 @@
-//! Thin WebAssembly facade over rangelab.
+//! Thin WebAssembly facade over rangelab: documents in as JSON, a run out as typed arrays.
+//!
+//! It does no arithmetic of its own but the roots of variances. What goes wrong is thrown as an `Error` whose message is
+//! a sentence.
+
+mod track_run;
+
+use rangelab::model::estimator_settings::EstimatorSettings;
+use rangelab::model::presets::PRESETS;
+use rangelab::model::recording::RecordingDocument;
+use rangelab::model::scenario::Scenario;
+use rangelab::study::track_run::{run_document, run_scenario};
+use rangelab::{Error, Problem};
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+pub use track_run::TrackRun;
+
+/// Lets a panic say on the console where it happened.
+#[cfg(target_arch = "wasm32")]
+#[wasm_bindgen(start)]
+pub fn start() {
+    console_error_panic_hook::set_once();
+}
+
+/// The presets: JSON `[{name, title, summary}]`.
+#[wasm_bindgen]
+pub fn presets() -> String {
+    json(&PRESETS)
+}
+
+/// The scenario of a preset as JSON.
+///
+/// # Errors
+/// A sentence with the names that exist.
+#[wasm_bindgen]
+pub fn preset(name: &str) -> Result<String, JsError> {
+    Ok(rangelab::model::presets::preset(name)?.to_json())
+}
+
+/// All that is wrong with a scenario: JSON `[{path, value, limit, message}]`, empty if it can be run. Text that is no
+/// scenario gives one entry without a path.
+#[wasm_bindgen]
+pub fn validate(scenario: &str) -> String {
+    let found = match Scenario::from_json(scenario) {
+        Ok(_) => Vec::new(),
+        Err(Error::Invalid { problems, .. }) => problems.into_iter().map(Found::from).collect(),
+        Err(error) => vec![Found { message: error.to_string(), ..Found::default() }],
+    };
+    json(&found)
+}
+
+/// Simulates one trial of a scenario (JSON) and runs its estimators and the bounds on it.
+///
+/// # Errors
+/// A sentence with every problem of the scenario. An estimator that fails says so in its own part of the run.
+#[wasm_bindgen]
+pub fn track(scenario: &str, trial: u32) -> Result<TrackRun, JsError> {
+    Ok(run_scenario(&Scenario::from_json(scenario)?, u64::from(trial))?.into())
+}
+
+/// Runs estimators (JSON settings) and the bounds on a recording (JSON).
+///
+/// # Errors
+/// A sentence with every problem of the recording or the settings.
+#[wasm_bindgen]
+pub fn estimate(recording: &str, settings: &str) -> Result<TrackRun, JsError> {
+    let recording = RecordingDocument::from_json(recording)?;
+    Ok(run_document(&recording, &EstimatorSettings::from_json(settings)?)?.into())
+}
+
+/// A problem and its sentence.
+#[derive(Default, Serialize)]
+struct Found {
+    path: String,
+    value: String,
+    limit: String,
+    message: String,
+}
+
+impl From<Problem> for Found {
+    fn from(problem: Problem) -> Self {
+        let message = problem.to_string();
+        let Problem { path, value, limit } = problem;
+        Self { path, value, limit, message }
+    }
+}
+
+fn json<T: Serialize + ?Sized>(value: &T) -> String {
+    serde_json::to_string(value).expect("names and sentences always have a JSON form")
+}
