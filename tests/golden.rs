@@ -1,0 +1,55 @@
+//! Golden bits: every number of a run of each preset, by fingerprint. The browser checks the same files.
+//!
+//! A change of a number on purpose: `cargo test --test golden -- --ignored`, then say in the commit why it moved.
+
+#[path = "golden/fingerprint.rs"]
+mod fingerprint;
+
+use std::fs;
+use std::path::PathBuf;
+
+use fingerprint::fingerprints;
+use rangelab::model::presets::{PRESETS, Preset};
+use rangelab::model::run::Run;
+use rangelab::study::track_run::run_scenario;
+
+fn file(preset: &Preset) -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("tests/golden/{}.txt", preset.name))
+}
+
+fn run(preset: &Preset) -> Run {
+    run_scenario(&preset.scenario(), 0).unwrap()
+}
+
+#[test]
+fn every_preset_gives_the_same_bits_as_ever() {
+    for preset in &PRESETS {
+        let golden =
+            fs::read_to_string(file(preset)).unwrap_or_else(|error| panic!("{}: {error}", preset.name));
+        assert_eq!(fingerprints(&run(preset)), golden, "{}", preset.name);
+    }
+}
+
+#[test]
+fn one_bit_changes_one_line_and_the_text() {
+    let clean = run(&PRESETS[0]);
+    let mut spoiled = clean.clone();
+    let x = &mut spoiled.estimators[1].steps[7].posterior.position[2];
+    *x = f64::from_bits(x.to_bits() ^ 1);
+    let (before, after) = (fingerprints(&clean), fingerprints(&spoiled));
+    let changed: Vec<&str> = before
+        .lines()
+        .zip(after.lines())
+        .filter(|(a, b)| a != b)
+        .map(|(a, _)| a.split_once(' ').unwrap().1)
+        .collect();
+    assert_eq!(changed, [clean.estimators[1].name.name(), "json"]);
+}
+
+#[test]
+#[ignore = "writes the golden files anew"]
+fn write_the_golden_files() {
+    for preset in &PRESETS {
+        fs::write(file(preset), fingerprints(&run(preset))).unwrap();
+    }
+}

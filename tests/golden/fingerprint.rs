@@ -1,0 +1,79 @@
+//! A short fingerprint of every number of a run, the same natively and in the browser only if every bit is.
+
+use rangelab::model::document::entries::PoseEntries;
+use rangelab::model::run::{BoundRecord, Run, StepRecord};
+
+/// FNV-1a, 64 bits.
+struct Fingerprint(u64);
+
+impl Fingerprint {
+    fn bytes(&mut self, bytes: &[u8]) {
+        for byte in bytes {
+            self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3);
+        }
+    }
+
+    fn number(&mut self, x: f64) {
+        self.bytes(&x.to_bits().to_le_bytes());
+    }
+
+    fn numbers<'a>(&mut self, numbers: impl IntoIterator<Item = &'a f64>) {
+        numbers.into_iter().for_each(|x| self.number(*x));
+    }
+
+    /// `None` must not look like a step that is not there.
+    fn optional<T>(&mut self, value: Option<&T>, write: impl Fn(&mut Self, &T)) {
+        self.bytes(&[u8::from(value.is_some())]);
+        if let Some(value) = value {
+            write(self, value);
+        }
+    }
+
+    fn pose(&mut self, pose: &PoseEntries) {
+        self.numbers(pose.orientation.iter().flatten());
+        self.numbers(&pose.position);
+    }
+
+    fn step(&mut self, step: &StepRecord) {
+        self.number(step.time);
+        [&step.prior, &step.innovation, &step.posterior].into_iter().for_each(|pose| self.pose(pose));
+        self.numbers(&[step.covariance_trace.orientation, step.covariance_trace.position]);
+        self.numbers(step.position_covariance.iter().flatten());
+        self.numbers(&[step.defect, step.nis.value]);
+        self.bytes(&[u8::from(step.event)]);
+        self.optional(step.errors.as_ref(), |hash, errors| {
+            hash.numbers(&[errors.orientation_frobenius, errors.angle, errors.position]);
+        });
+        self.optional(step.nees.as_ref(), |hash, nees| hash.number(nees.value));
+    }
+
+    fn bound(&mut self, bound: &BoundRecord) {
+        self.numbers(&[bound.orientation_trace, bound.position_trace]);
+        self.optional(bound.angle_variance.as_ref(), |hash, variance| hash.number(*variance));
+        self.numbers(bound.position_covariance.iter().flatten());
+    }
+}
+
+fn line(name: &str, write: impl FnOnce(&mut Fingerprint)) -> String {
+    let mut hash = Fingerprint(0xcbf2_9ce4_8422_2325);
+    write(&mut hash);
+    format!("{:016x} {name}\n", hash.0)
+}
+
+/// A line for the truth, each estimator and each bound, and one for the whole JSON text.
+pub fn fingerprints(run: &Run) -> String {
+    let mut text = line("truth", |hash| {
+        hash.numbers(run.anchors.iter().flatten());
+        hash.numbers(&run.times);
+        run.truth.iter().for_each(|pose| hash.optional(pose.as_ref(), Fingerprint::pose));
+    });
+    for estimator in &run.estimators {
+        text += &line(estimator.name.name(), |hash| estimator.steps.iter().for_each(|step| hash.step(step)));
+    }
+    for bound in &run.bounds {
+        text += &line(&bound.name, |hash| {
+            bound.steps.iter().for_each(|step| hash.optional(step.as_ref(), Fingerprint::bound));
+        });
+    }
+    text + &line("json", |hash| hash.bytes(run.to_json().as_bytes()))
+}
