@@ -55,7 +55,7 @@ pub struct StudyCommand {
     #[arg(long, value_enum, default_value = "table", help_heading = "Output")]
     format: StudyFormat,
 
-    /// Steps in the table, from 0, separated by commas [default: 0,1,4,9,19,49,... and the last]
+    /// Steps in the table, from 0, separated by commas [default: 0,1,2,4,9,19,49,... and the last]
     #[arg(long, value_name = "STEPS", value_delimiter = ',', help_heading = "Output")]
     steps_shown: Option<Vec<usize>>,
 
@@ -98,7 +98,7 @@ impl StudyCommand {
     /// The steps of the table.
     fn steps(&self, count: usize) -> Result<Vec<usize>, Failure> {
         let Some(given) = &self.steps_shown else {
-            let marks = [0, 1, 4, 9, 19, 49, 99, 199, 499, 999, 1999, 4999].into_iter();
+            let marks = [0, 1, 2, 4, 9, 19, 49, 99, 199, 499, 999, 1999, 4999].into_iter();
             return Ok(marks.take_while(|&step| step + 1 < count).chain([count - 1]).collect());
         };
         match given.iter().find(|&&step| step >= count) {
