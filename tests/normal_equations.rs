@@ -62,7 +62,7 @@ impl<const D: usize> Problem<D> {
     }
 
     fn normal(&self, form: RangeForm) -> NormalEquations<D> {
-        let mut buffer = self.model.weight_buffer();
+        let mut buffer = self.model.range_buffer();
         self.model
             .normal_equations(&self.ranges, &self.weight_ranges, &self.reference, form, &mut buffer)
             .unwrap()

@@ -10,11 +10,12 @@ use crate::error::{Error, Result};
 use crate::math::block::BlockMatrix;
 use crate::math::pose::{Pose, Theta};
 use crate::math::rotation::Rotation;
+use crate::model::accumulate::RangeBuffer;
 use crate::model::covariance::Covariance;
 use crate::model::epoch::{Epoch, Recording};
 use crate::model::motion::ProcessNoise;
 use crate::model::normal_equations::Information;
-use crate::model::ranging::{RangeForm, RangeModel, WeightBuffer, Weighting};
+use crate::model::ranging::{RangeForm, RangeModel, Weighting};
 
 /// The bounds at one step.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,7 +48,7 @@ pub fn bounds_along<const D: usize>(recording: &Recording<D>) -> Result<Vec<Step
         *model.noise(),
         Weighting::PerPair,
     )?;
-    let mut buffer = model.weight_buffer();
+    let mut buffer = model.range_buffer();
     let mut recursion = Recursion::new(variance);
     let steps = recording.epochs.iter().enumerate().map(|(k, epoch)| {
         let truth = recording.truth.get(k).copied().flatten();
@@ -72,7 +73,7 @@ impl<'a, const D: usize> Seen<'a, D> {
         model: &'a RangeModel<D>,
         epoch: &Epoch<D>,
         truth: Option<Pose<D>>,
-        buffer: &mut WeightBuffer,
+        buffer: &mut RangeBuffer<D>,
     ) -> Self {
         let mut at_truth =
             |form| truth.map(|pose| fisher_information_of(model, &pose, &epoch.ranges, form, buffer));

@@ -6,7 +6,6 @@ use super::cause::{Parameters, unobservable};
 use super::fisher::FisherInformation;
 use crate::error::Result;
 use crate::math::block::BlockMatrix;
-use crate::math::linalg::spd_inverse;
 use crate::math::rotation::{Rotation, rotation_angles};
 use crate::math::tangent::{TangentMatrix, tangent_dimension};
 
@@ -21,39 +20,11 @@ const MAX_INFLATION: f64 = 1e12;
 /// # Errors
 /// [`crate::Error::Unobservable`] with the cause: it needs M >= D + 1 anchors and N >= D + 1 sensors that fill the space.
 pub fn crb<const D: usize>(information: &FisherInformation<D>) -> Result<BlockMatrix<D>> {
-    let f = dense(&information.matrix);
-    let inverse = spd_inverse(&f).ok();
+    let f = &information.matrix;
+    let inverse = f.inverse().ok();
     inverse
-        .filter(|c| (0..D * (D + 1)).all(|i| carries_digits(f[(i, i)] * c[(i, i)])))
-        .map(|c| blocks(&c))
+        .filter(|c| (0..D * (D + 1)).all(|i| carries_digits(f.entry(i, i) * c.entry(i, i))))
         .ok_or_else(|| unobservable("the Cramér-Rao bound", information, Parameters::Unconstrained))
-}
-
-/// All entries of `[Q | t]` for D = 3.
-const MAX_ENTRIES: usize = 12;
-
-type Dense = SMatrix<f64, MAX_ENTRIES, MAX_ENTRIES>;
-
-/// Entry by entry, as the inverse by D x D blocks squares the condition; unused entries (D = 2) carry the identity.
-fn dense<const D: usize>(a: &BlockMatrix<D>) -> Dense {
-    let mut result = Dense::identity();
-    for i in 0..D * (D + 1) {
-        for j in 0..=i {
-            let entry = a.block(i / D, j / D)[(i % D, j % D)];
-            (result[(i, j)], result[(j, i)]) = (entry, entry);
-        }
-    }
-    result
-}
-
-fn blocks<const D: usize>(a: &Dense) -> BlockMatrix<D> {
-    let mut result = BlockMatrix::zeros();
-    for i in 0..=D {
-        for j in 0..=i {
-            *result.block_mut(i, j) = SMatrix::from_fn(|row, column| a[(i * D + row, j * D + column)]);
-        }
-    }
-    result
 }
 
 /// The unitarily constrained bound on the tangent space, `(T^T F T)^-1` with `T = d vec([R exp(hat(phi)) | t])/d(phi, t)`
@@ -82,12 +53,13 @@ pub fn image<const D: usize>(covariance: &TangentMatrix<D>, rotation: &Rotation<
     let mut result = BlockMatrix::zeros();
     for i in 0..=D {
         for j in 0..=i {
+            let mut block = SMatrix::<f64, D, D>::zeros();
             for a in 0..tangent_dimension(D) {
                 for b in 0..tangent_dimension(D) {
-                    *result.block_mut(i, j) +=
-                        derivative(a, i) * derivative(b, j).transpose() * covariance.entry(a, b);
+                    block += derivative(a, i) * derivative(b, j).transpose() * covariance.entry(a, b);
                 }
             }
+            result.set_block(i, j, &block);
         }
     }
     result

@@ -4,8 +4,9 @@ use crate::error::Result;
 use crate::math::block::BlockMatrix;
 use crate::math::pose::{Pose, Theta};
 use crate::math::tangent::TangentMatrix;
+use crate::model::accumulate::RangeBuffer;
 use crate::model::ranges::Ranges;
-use crate::model::ranging::{RangeForm, RangeModel, WeightBuffer};
+use crate::model::ranging::{RangeForm, RangeModel};
 
 /// The information about `theta`, and where it comes from, so that a bound that does not exist can say why.
 #[derive(Clone, Copy, Debug)]
@@ -50,7 +51,7 @@ impl<const D: usize> FisherInformation<'_, D> {
 /// let topology = Topology::new(vec![Vector2::new(-0.5, 0.0), Vector2::new(0.5, 0.0)])?;
 /// let model = RangeModel::new(anchors, topology, RangeNoise::Range { sigma: 0.02 }, Weighting::PerPair)?;
 /// let pose = Pose { position: Vector2::new(3.0, 2.0), ..Pose::identity() };
-/// let information = fisher_information(&model, &pose, RangeForm::Raw, &mut model.weight_buffer())?;
+/// let information = fisher_information(&model, &pose, RangeForm::Raw, &mut model.range_buffer())?;
 /// let bound = unitary_crb(&information)?;
 /// assert!(bound.shift_block().trace().sqrt() < 0.02); // six ranges of 2 cm show the position to better than 2 cm
 /// # Ok::<(), rangelab::Error>(())
@@ -62,7 +63,7 @@ pub fn fisher_information<'a, const D: usize>(
     model: &'a RangeModel<D>,
     pose: &Pose<D>,
     form: RangeForm,
-    buffer: &mut WeightBuffer,
+    buffer: &mut RangeBuffer<D>,
 ) -> Result<FisherInformation<'a, D>> {
     let exact = model.exact_ranges(&Theta::from(*pose))?;
     information_of(model, pose, &exact, &exact, form, buffer)
@@ -79,7 +80,7 @@ pub fn fisher_information_of<'a, const D: usize>(
     pose: &Pose<D>,
     measured: &Ranges,
     form: RangeForm,
-    buffer: &mut WeightBuffer,
+    buffer: &mut RangeBuffer<D>,
 ) -> Result<FisherInformation<'a, D>> {
     let exact = model.exact_ranges(&Theta::from(*pose))?;
     information_of(model, pose, measured, &exact, form, buffer)
@@ -91,7 +92,7 @@ fn information_of<'a, const D: usize>(
     measured: &Ranges,
     exact: &Ranges,
     form: RangeForm,
-    buffer: &mut WeightBuffer,
+    buffer: &mut RangeBuffer<D>,
 ) -> Result<FisherInformation<'a, D>> {
     // The matrix depends on which ranges exist, on the weights and (raw form) on the pose; not on the measured values.
     let equations = model.normal_equations(measured, exact, &Theta::from(*pose), form, buffer)?;

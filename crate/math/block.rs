@@ -1,29 +1,34 @@
-//! Symmetric matrices on `theta = vec([Q | t])` as (D+1) x (D+1) blocks of D x D, on the stack.
+//! Symmetric matrices on `theta = vec([Q | t])`, addressed by blocks, inverted entry by entry, on the stack.
 
-use nalgebra::SMatrix;
+use nalgebra::{SMatrix, SVector};
 
-use super::linalg::spd_inverse_within;
+use super::linalg::PIVOT_FLOOR;
 use super::pose::Theta;
 
-/// Block rows for D = 3; for D = 2 the last one is unused.
+/// Columns of `[Q | t]` for D = 3.
 pub const MAX_BLOCKS: usize = 4;
+
+/// Entries of `theta` for D = 3; for D = 2 the first 6 are used.
+const MAX_ENTRIES: usize = 12;
 
 /// A symmetric matrix on `theta`: block `(i, j)` belongs to columns `i` and `j` of `[Q | t]`, block `D` to `t`.
 ///
-/// Only blocks with `j <= i` are stored as truth; [`BlockMatrix::block`] transposes for the others.
+/// Inverses go entry by entry: by blocks they would lose digits with the square of the condition.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BlockMatrix<const D: usize> {
-    lower: [[SMatrix<f64, D, D>; MAX_BLOCKS]; MAX_BLOCKS],
+    rows: [[f64; MAX_ENTRIES]; MAX_ENTRIES],
 }
 
 impl<const D: usize> BlockMatrix<D> {
+    const ENTRIES: usize = D * (D + 1);
+
     /// All zeros.
     #[inline]
     pub fn zeros() -> Self {
-        Self { lower: [[SMatrix::zeros(); MAX_BLOCKS]; MAX_BLOCKS] }
+        Self { rows: [[0.0; MAX_ENTRIES]; MAX_ENTRIES] }
     }
 
-    /// The given block `scale_j I` on the diagonal, zero elsewhere: `orientation` for the columns of `Q`, `position` for `t`.
+    /// `orientation I` on the columns of `Q` and `position I` on `t`, zero elsewhere.
     pub fn isotropic(orientation: f64, position: f64) -> Self {
         let mut result = Self::zeros();
         result.add_isotropic(orientation, position);
@@ -33,96 +38,135 @@ impl<const D: usize> BlockMatrix<D> {
     /// Adds `orientation I` to each diagonal block of `Q` and `position I` to that of `t`.
     #[inline]
     pub fn add_isotropic(&mut self, orientation: f64, position: f64) {
-        for j in 0..=D {
-            let value = if j < D { orientation } else { position };
-            for i in 0..D {
-                self.lower[j][j][(i, i)] += value;
+        for i in 0..Self::ENTRIES {
+            self.rows[i][i] += if i < D * D { orientation } else { position };
+        }
+    }
+
+    /// Block `(i, j)`.
+    #[inline]
+    pub fn block(&self, i: usize, j: usize) -> SMatrix<f64, D, D> {
+        SMatrix::from_fn(|row, column| self.rows[i * D + row][j * D + column])
+    }
+
+    /// Sets block `(i, j)`, and `(j, i)` to its transpose. A diagonal block must be symmetric.
+    #[inline]
+    pub fn set_block(&mut self, i: usize, j: usize, block: &SMatrix<f64, D, D>) {
+        for row in 0..D {
+            for column in 0..D {
+                self.rows[i * D + row][j * D + column] = block[(row, column)];
+                self.rows[j * D + column][i * D + row] = block[(row, column)];
             }
         }
     }
 
-    /// Block `(i, j)` of the symmetric matrix.
+    /// Entry `(i, j)` on `vec([Q | t])`.
     #[inline]
-    pub fn block(&self, i: usize, j: usize) -> SMatrix<f64, D, D> {
-        if j <= i { self.lower[i][j] } else { self.lower[j][i].transpose() }
+    pub fn entry(&self, i: usize, j: usize) -> f64 {
+        self.rows[i][j]
     }
 
-    /// Stored block `(i, j)`, `j <= i`, to change it.
+    /// Adds `[c; 1][c; 1]^T (x) gram`.
     #[inline]
-    pub fn block_mut(&mut self, i: usize, j: usize) -> &mut SMatrix<f64, D, D> {
-        debug_assert!(j <= i, "only the lower blocks are stored");
-        &mut self.lower[i][j]
+    pub fn add_kronecker(&mut self, c: &SVector<f64, D>, gram: &SMatrix<f64, D, D>) {
+        let extended = |j: usize| if j < D { c[j] } else { 1.0 };
+        for i in 0..=D {
+            for j in 0..=D {
+                let scale = extended(i) * extended(j);
+                for row in 0..D {
+                    for column in 0..D {
+                        self.rows[i * D + row][j * D + column] += gram[(row, column)] * scale;
+                    }
+                }
+            }
+        }
     }
 
     /// `self + other`.
     #[inline]
     pub fn add(&mut self, other: &Self) {
-        for i in 0..=D {
-            for j in 0..=i {
-                self.lower[i][j] += other.lower[i][j];
+        for (mine, theirs) in self.rows.iter_mut().zip(&other.rows) {
+            for (x, y) in mine.iter_mut().zip(theirs) {
+                *x += y;
             }
         }
     }
 
-    /// Inverse of a positive definite matrix by block sweeps.
+    /// Inverse of a positive definite matrix by the sweep operator; exactly symmetric.
     ///
     /// # Errors
     /// The offending pivot, when it is not positive definite within double precision.
     pub fn inverse(&self) -> Result<Self, f64> {
-        let mut a = *self;
-        for k in 0..=D {
-            a.sweep(k, &self.lower[k][k])?;
-        }
-        for i in 0..=D {
-            for j in 0..=i {
-                a.lower[i][j] = -a.lower[i][j];
-            }
-        }
-        Ok(a)
+        let mut result = *self;
+        result.invert().map(|()| result)
     }
 
-    /// One sweep on diagonal block `k`, which was `original` before any sweep.
-    #[inline]
-    fn sweep(&mut self, k: usize, original: &SMatrix<f64, D, D>) -> Result<(), f64> {
-        let inverse = spd_inverse_within(&self.lower[k][k], original)?;
-        let mut column = [SMatrix::<f64, D, D>::zeros(); MAX_BLOCKS];
-        for (i, entry) in column.iter_mut().enumerate().take(D + 1) {
-            if i != k {
-                *entry = self.block(i, k);
+    /// [`BlockMatrix::inverse`] in place; after an error the matrix is meaningless.
+    ///
+    /// # Errors
+    /// The offending pivot.
+    pub fn invert(&mut self) -> Result<(), f64> {
+        self.sweep(Self::ENTRIES)?;
+        for i in 0..Self::ENTRIES {
+            for j in 0..i {
+                self.rows[i][j] = -self.rows[i][j];
+                self.rows[j][i] = self.rows[i][j];
             }
+            self.rows[i][i] = -self.rows[i][i];
         }
-        for i in 0..=D {
-            if i == k {
-                continue;
-            }
-            let scaled = column[i] * inverse;
-            for j in 0..=i {
-                if j != k {
-                    self.lower[i][j] -= scaled * column[j].transpose();
-                }
-            }
-            if i > k {
-                self.lower[i][k] = scaled;
-            } else {
-                self.lower[k][i] = scaled.transpose();
-            }
-        }
-        self.lower[k][k] = -inverse;
         Ok(())
+    }
+
+    /// Sweeps the lower triangle on the first `pivots` entries; what is above the diagonal is then meaningless.
+    fn sweep(&mut self, pivots: usize) -> Result<(), f64> {
+        let original: [f64; MAX_ENTRIES] = core::array::from_fn(|k| self.rows[k][k]);
+        for k in 0..pivots {
+            let pivot = self.rows[k][k];
+            let inverse = 1.0 / pivot;
+            // Written so that NaN fails too, and a pivot whose inverse overflows.
+            if !(pivot > PIVOT_FLOOR * original[k] && pivot.is_finite() && inverse.is_finite()) {
+                return Err(pivot);
+            }
+            self.sweep_pivot(k, inverse);
+        }
+        Ok(())
+    }
+
+    #[inline]
+    fn sweep_pivot(&mut self, k: usize, inverse: f64) {
+        let mut column = self.rows[k];
+        for i in k + 1..Self::ENTRIES {
+            column[i] = self.rows[i][k];
+        }
+        // Pieces of a register's width reach beyond the diagonal, where nothing is kept. Row k is set below.
+        subtract_rows::<4>(&mut self.rows[..4], 0, inverse, &column);
+        subtract_rows::<8>(&mut self.rows[4..8], 4, inverse, &column);
+        if D == 3 {
+            subtract_rows::<MAX_ENTRIES>(&mut self.rows[8..], 8, inverse, &column);
+        }
+        for i in 0..k {
+            self.rows[k][i] = column[i] * inverse;
+        }
+        for i in k + 1..Self::ENTRIES {
+            self.rows[i][k] = column[i] * inverse;
+        }
+        self.rows[k][k] = -inverse;
     }
 
     /// The product with `vec(theta)`.
     #[inline]
     pub fn times(&self, theta: &Theta<D>) -> Theta<D> {
-        let mut result = Theta::zeros();
-        for i in 0..=D {
-            for j in 0..=D {
-                let x = theta.column(j);
-                let y = if j <= i { self.lower[i][j] * x } else { self.lower[j][i].tr_mul(&x) };
-                result.add_to_column(i, &y);
+        let mut sums = [0.0; MAX_ENTRIES];
+        let entries = theta.orientation.iter().chain(theta.position.iter());
+        for (row, &x) in self.rows.iter().zip(entries) {
+            for (sum, &a) in sums.iter_mut().zip(row) {
+                *sum += a * x;
             }
         }
-        result
+        Theta {
+            orientation: SMatrix::from_fn(|i, j| sums[j * D + i]),
+            position: SVector::from_fn(|i, _| sums[D * D + i]),
+        }
     }
 
     /// `x^T A x` for `x = vec(theta)`.
@@ -133,34 +177,56 @@ impl<const D: usize> BlockMatrix<D> {
 
     /// Trace over the blocks of `Q`.
     pub fn orientation_trace(&self) -> f64 {
-        (0..D).map(|j| self.lower[j][j].trace()).sum()
+        (0..D * D).map(|i| self.rows[i][i]).sum()
     }
 
     /// The block of `t`.
     pub fn position_block(&self) -> SMatrix<f64, D, D> {
-        self.lower[D][D]
+        self.block(D, D)
     }
 
-    /// The orientation part of a positive definite matrix with `t` marginalized out of its inverse: given a covariance,
-    /// the metric `P_q^-1` on `vec(Q)` (its blocks `i, j < D`).
+    /// Given a covariance: the metric of `Q` with `t` left free, and what moves `t` when `Q` is moved.
     ///
     /// # Errors
     /// The offending pivot.
-    pub fn orientation_metric(&self) -> Result<Self, f64> {
-        let mut a = *self;
-        for k in 0..D {
-            a.sweep(k, &self.lower[k][k])?;
-        }
+    pub fn orientation_metric(&self) -> Result<OrientationMetric<D>, f64> {
+        let mut swept = *self;
+        swept.sweep(D * D)?;
         let mut metric = Self::zeros();
-        for i in 0..D {
+        for i in 0..D * D {
             for j in 0..=i {
-                metric.lower[i][j] = -a.lower[i][j];
+                metric.rows[i][j] = -swept.rows[i][j];
+                metric.rows[j][i] = metric.rows[i][j];
             }
         }
-        // After the sweeps the last block row holds P_tq P_q^-1: what moves t when Q is moved.
-        for j in 0..D {
-            metric.lower[D][j] = a.lower[D][j];
-        }
-        Ok(metric)
+        let position_gain = core::array::from_fn(|j| swept.block(D, j));
+        Ok(OrientationMetric { metric, position_gain })
     }
+}
+
+/// Subtracts `(inverse x_i) x^T` from the first `WIDTH` entries of rows `i = first..`.
+#[inline]
+fn subtract_rows<const WIDTH: usize>(
+    rows: &mut [[f64; MAX_ENTRIES]],
+    first: usize,
+    inverse: f64,
+    x: &[f64; MAX_ENTRIES],
+) {
+    let mut piece = [0.0; WIDTH];
+    piece.copy_from_slice(&x[..WIDTH]);
+    for (row, &entry) in rows.iter_mut().zip(&x[first..]) {
+        let scale = inverse * entry;
+        for (y, x) in row[..WIDTH].iter_mut().zip(&piece) {
+            *y -= scale * x;
+        }
+    }
+}
+
+/// What a covariance of `[Q | t]` says about moving `Q`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OrientationMetric<const D: usize> {
+    /// `P_q^-1` on `vec(Q)`; zero for `t`.
+    pub metric: BlockMatrix<D>,
+    /// The D blocks of `P_tq P_q^-1`: `t` moves by their products with the columns of the change of `Q`.
+    pub position_gain: [SMatrix<f64, D, D>; D],
 }

@@ -6,7 +6,7 @@ use super::motion::ProcessNoise;
 use super::normal_equations::Information;
 use super::topology::Topology;
 use crate::error::{Error, Result};
-use crate::math::block::{BlockMatrix, MAX_BLOCKS};
+use crate::math::block::{BlockMatrix, MAX_BLOCKS, OrientationMetric};
 use crate::math::linalg::spd_inverse;
 use crate::math::pose::Theta;
 
@@ -52,8 +52,8 @@ impl<const D: usize> Covariance<D> {
             Self::Full(matrix) => {
                 for j in 0..D {
                     for i in j..=D {
-                        let turned = *matrix.block_mut(i, j) * rotation.transpose();
-                        *matrix.block_mut(i, j) = if i < D { rotation * turned } else { turned };
+                        let turned = matrix.block(i, j) * rotation.transpose();
+                        matrix.set_block(i, j, &if i < D { rotation * turned } else { turned });
                     }
                 }
                 matrix.add_isotropic(orientation, position);
@@ -61,23 +61,24 @@ impl<const D: usize> Covariance<D> {
         }
     }
 
-    /// Updates in information form: `P <- (P^-1 + Lambda)^-1`.
+    /// Updates in information form: `P <- (P^-1 + Lambda)^-1`. After an error it is meaningless.
     ///
     /// # Errors
     /// [`Error::NotPositiveDefinite`] where double precision does not carry the sum.
     pub fn update(&mut self, information: &Information<D>) -> Result<()> {
-        let updated = match (&*self, information) {
-            (Self::Decoupled { axes, blocks }, Information::Decoupled { gram, moments, .. }) => {
-                update_blocks(blocks, gram, moments).map(|blocks| Self::Decoupled { axes: *axes, blocks })
+        let updated = match (&mut *self, information) {
+            (Self::Decoupled { blocks, .. }, Information::Decoupled { gram, moments, .. }) => {
+                update_blocks(blocks, gram, moments)
             }
-            _ => self.to_blocks().inverse().and_then(|mut precision| {
-                precision.add(&information.to_blocks());
-                precision.inverse().map(Self::Full)
-            }),
+            (Self::Full(matrix), _) => update_full(matrix, information),
+            (Self::Decoupled { axes, blocks }, Information::Full(_)) => {
+                let mut matrix = expand(axes, blocks);
+                let updated = update_full(&mut matrix, information);
+                *self = Self::Full(matrix);
+                updated
+            }
         };
-        *self = updated
-            .map_err(|pivot| Error::NotPositiveDefinite { what: "the covariance of [Q | t]", pivot })?;
-        Ok(())
+        updated.map_err(|pivot| Error::NotPositiveDefinite { what: "the covariance of [Q | t]", pivot })
     }
 
     /// The product `P vec(theta)`.
@@ -111,16 +112,15 @@ impl<const D: usize> Covariance<D> {
         }
     }
 
-    /// The metric `P_q^-1` on `vec(Q)` in the blocks of `Q`, and `P_tq P_q^-1` in the last block row: what moves `t` when
-    /// `Q` is moved.
+    /// The metric of `Q` with `t` left free, `P_q^-1`, and what moves `t` when `Q` is moved.
     ///
     /// # Errors
     /// [`Error::NotPositiveDefinite`].
-    pub fn orientation_metric(&self) -> Result<BlockMatrix<D>> {
+    pub fn orientation_metric(&self) -> Result<OrientationMetric<D>> {
         let metric = match self {
-            Self::Decoupled { axes, blocks } => {
-                invert_orientation_blocks(blocks).map(|inverse| expand(axes, &inverse))
-            }
+            Self::Decoupled { axes, blocks } => invert_orientation_blocks(blocks).map(|inverse| {
+                OrientationMetric { metric: expand(axes, &inverse), position_gain: [SMatrix::zeros(); D] }
+            }),
             Self::Full(matrix) => matrix.orientation_metric(),
         };
         metric.map_err(|pivot| Error::NotPositiveDefinite { what: "the covariance of Q", pivot })
@@ -135,16 +135,27 @@ impl<const D: usize> Covariance<D> {
     }
 }
 
+fn update_full<const D: usize>(
+    matrix: &mut BlockMatrix<D>,
+    information: &Information<D>,
+) -> core::result::Result<(), f64> {
+    matrix.invert()?;
+    match information {
+        Information::Full(added) => matrix.add(added),
+        Information::Decoupled { .. } => matrix.add(&information.to_blocks()),
+    }
+    matrix.invert()
+}
+
 fn update_blocks<const D: usize>(
-    blocks: &[SMatrix<f64, D, D>; MAX_BLOCKS],
+    blocks: &mut [SMatrix<f64, D, D>; MAX_BLOCKS],
     gram: &SMatrix<f64, D, D>,
     moments: &[f64; MAX_BLOCKS],
-) -> core::result::Result<[SMatrix<f64, D, D>; MAX_BLOCKS], f64> {
-    let mut updated = *blocks;
+) -> core::result::Result<(), f64> {
     for j in 0..=D {
-        updated[j] = spd_inverse(&(spd_inverse(&blocks[j])? + gram * moments[j]))?;
+        blocks[j] = spd_inverse(&(spd_inverse(&blocks[j])? + gram * moments[j]))?;
     }
-    Ok(updated)
+    Ok(())
 }
 
 /// Inverses of the blocks of `Q`, zero for `t`.
@@ -166,11 +177,13 @@ pub(super) fn expand<const D: usize>(
     let mut result = BlockMatrix::zeros();
     for i in 0..D {
         for j in 0..=i {
+            let mut sum = SMatrix::<f64, D, D>::zeros();
             for k in 0..D {
-                *result.block_mut(i, j) += blocks[k] * (axes[(i, k)] * axes[(j, k)]);
+                sum += blocks[k] * (axes[(i, k)] * axes[(j, k)]);
             }
+            result.set_block(i, j, &sum);
         }
     }
-    *result.block_mut(D, D) = blocks[D];
+    result.set_block(D, D, &blocks[D]);
     result
 }

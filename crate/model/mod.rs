@@ -1,5 +1,6 @@
 //! Floor 1: the world as the estimators see it. Anchors, topology, ranges and their normal equations, motion.
 
+pub mod accumulate;
 pub mod anchors;
 pub mod covariance;
 pub mod document;

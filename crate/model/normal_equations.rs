@@ -73,3 +73,16 @@ pub struct NormalEquations<const D: usize> {
     /// Number of independent residuals in `energy` (the projected form spends one for each sensor).
     pub residuals: usize,
 }
+
+impl<const D: usize> NormalEquations<D> {
+    /// No ranges: nothing is known.
+    pub fn empty() -> Self {
+        Self {
+            information: Information::Full(BlockMatrix::zeros()),
+            innovation: Theta::zeros(),
+            energy: 0.0,
+            ranges: 0,
+            residuals: 0,
+        }
+    }
+}

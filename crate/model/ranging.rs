@@ -1,10 +1,9 @@
 //! Ranges become normal equations, O(M N) once, constant size ever after.
 
-use alloc::vec::Vec;
-
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SMatrix;
 use serde::{Deserialize, Serialize};
 
+use super::accumulate::{RangeBuffer, Sum};
 use super::anchors::Anchors;
 use super::noise::{RangeNoise, VarianceLaw};
 use super::normal_equations::{Information, NormalEquations};
@@ -12,7 +11,6 @@ use super::ranges::Ranges;
 use super::topology::Topology;
 use crate::error::{Error, Result};
 use crate::math::block::BlockMatrix;
-use crate::math::linalg::add_outer;
 use crate::math::pose::Theta;
 
 /// Which squared range gives a pair its weight.
@@ -48,10 +46,6 @@ pub struct RangeModel<const D: usize> {
     noise: RangeNoise,
     weighting: Weighting,
 }
-
-/// Buffer for one weight an anchor, kept by the caller so that a step allocates nothing.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct WeightBuffer(Vec<f64>);
 
 impl<const D: usize> RangeModel<D> {
     /// Joins the parts.
@@ -97,8 +91,8 @@ impl<const D: usize> RangeModel<D> {
     }
 
     /// A buffer of the right size for [`RangeModel::normal_equations`].
-    pub fn weight_buffer(&self) -> WeightBuffer {
-        WeightBuffer(Vec::with_capacity(self.anchors.len()))
+    pub fn range_buffer(&self) -> RangeBuffer<D> {
+        RangeBuffer::new(self.anchors.len())
     }
 
     /// Forms the normal equations of `ranges` about `reference`.
@@ -116,58 +110,66 @@ impl<const D: usize> RangeModel<D> {
         weight_ranges: &Ranges,
         reference: &Theta<D>,
         form: RangeForm,
-        buffer: &mut WeightBuffer,
+        buffer: &mut RangeBuffer<D>,
     ) -> Result<NormalEquations<D>> {
+        let mut normal = NormalEquations::empty();
+        self.fill_normal_equations(ranges, weight_ranges, reference, form, buffer, &mut normal)?;
+        Ok(normal)
+    }
+
+    /// [`RangeModel::normal_equations`] into a place that the caller keeps; after an error it is meaningless.
+    pub(crate) fn fill_normal_equations(
+        &self,
+        ranges: &Ranges,
+        weight_ranges: &Ranges,
+        reference: &Theta<D>,
+        form: RangeForm,
+        buffer: &mut RangeBuffer<D>,
+        normal: &mut NormalEquations<D>,
+    ) -> Result<()> {
         self.check_size(ranges)?;
         self.check_size(weight_ranges)?;
         let common = self.weighting == Weighting::Common;
         if common {
-            self.common_weights(weight_ranges, buffer);
+            self.common_weights(weight_ranges, &mut buffer.weights);
         }
         let shared = common && form == RangeForm::Projected && ranges.missing() == 0;
-        let mut sum = Sum::new();
-        for n in 0..self.topology.len() {
-            if !common {
-                pair_weights(self.noise.law(), weight_ranges.of_sensor(n), buffer);
-            }
-            let c = &self.topology.sensors()[n];
-            let sensor_in_world = reference.orientation * c + reference.position;
-            let one = SensorSum::new(
-                self.anchors.positions(),
-                ranges.of_sensor(n),
-                &buffer.0,
-                &sensor_in_world,
-                form,
-            );
-            sum.add(c, &one, !shared || n == 0, !shared);
+        let mut sum = Sum::new(normal, shared);
+        if shared {
+            sum.set_shared(self.anchors.positions(), buffer);
         }
-        self.finish(&sum, shared)
-    }
-
-    fn finish(&self, sum: &Sum<D>, shared: bool) -> Result<NormalEquations<D>> {
-        if !(sum.energy.is_finite() && sum.innovation.is_finite()) {
+        for (n, c) in self.topology.sensors().iter().enumerate() {
+            let sensor_in_world = reference.orientation * c + reference.position;
+            if shared {
+                sum.add_shared(c, &sensor_in_world, ranges.of_sensor(n), buffer);
+                continue;
+            }
+            if !common {
+                let law = self.noise.law();
+                pair_weights(law, weight_ranges.of_sensor(n), &mut buffer.weights);
+            }
+            sum.add(c, &sensor_in_world, self.anchors.positions(), ranges.of_sensor(n), form, buffer);
+        }
+        if shared {
+            normal.information = self.shared_information(&sum.gram);
+        }
+        if !(normal.energy.is_finite() && normal.innovation.is_finite()) {
             return Err(Error::Number {
                 what: "the weighted sum of squared residuals",
-                value: sum.energy,
+                value: normal.energy,
                 limit: "finite: noise, ranges and prior must not differ by hundreds of orders of magnitude",
             });
         }
-        let information = match (shared, self.topology.is_centred()) {
-            (true, true) => Information::Decoupled {
-                axes: *self.topology.axes(),
-                gram: sum.gram,
-                moments: *self.topology.moments(),
-            },
-            (true, false) => Information::Full(kronecker(&self.topology, &sum.gram)),
-            (false, _) => Information::Full(sum.information),
-        };
-        Ok(NormalEquations {
-            information,
-            innovation: sum.innovation,
-            energy: sum.energy,
-            ranges: sum.ranges,
-            residuals: sum.residuals,
-        })
+        Ok(())
+    }
+
+    fn shared_information(&self, gram: &SMatrix<f64, D, D>) -> Information<D> {
+        if self.topology.is_centred() {
+            let (axes, moments) = (*self.topology.axes(), *self.topology.moments());
+            Information::Decoupled { axes, gram: *gram, moments }
+        } else {
+            Information::Full(kronecker(&self.topology, gram))
+        }
     }
 
     fn check_size(&self, ranges: &Ranges) -> Result<()> {
@@ -183,11 +185,11 @@ impl<const D: usize> RangeModel<D> {
     }
 
     /// One weight an anchor, from its range to the first sensor that has one.
-    fn common_weights(&self, weight_ranges: &Ranges, buffer: &mut WeightBuffer) {
+    fn common_weights(&self, weight_ranges: &Ranges, weights: &mut [f64]) {
         let law = self.noise.law();
-        pair_weights(law, weight_ranges.of_sensor(0), buffer);
+        pair_weights(law, weight_ranges.of_sensor(0), weights);
         if weight_ranges.missing() > 0 {
-            for (m, weight) in buffer.0.iter_mut().enumerate() {
+            for (m, weight) in weights.iter_mut().enumerate() {
                 let first = (0..weight_ranges.sensors()).find_map(|n| weight_ranges.get(m, n));
                 *weight = first.map_or(0.0, |d| 1.0 / law.variance(d));
             }
@@ -195,101 +197,9 @@ impl<const D: usize> RangeModel<D> {
     }
 }
 
-fn pair_weights(law: VarianceLaw, squared_ranges: &[f64], buffer: &mut WeightBuffer) {
-    buffer.0.clear();
-    buffer.0.extend(squared_ranges.iter().map(|&d| if d.is_nan() { 0.0 } else { 1.0 / law.variance(d) }));
-}
-
-/// The sums over the anchors for one sensor.
-struct SensorSum<const D: usize> {
-    gram: SMatrix<f64, D, D>,
-    vector: SVector<f64, D>,
-    energy: f64,
-    ranges: usize,
-    residuals: usize,
-}
-
-impl<const D: usize> SensorSum<D> {
-    #[inline]
-    fn new(
-        anchors: &[SVector<f64, D>],
-        squared_ranges: &[f64],
-        weights: &[f64],
-        sensor_in_world: &SVector<f64, D>,
-        form: RangeForm,
-    ) -> Self {
-        let present = || anchors.iter().zip(squared_ranges).zip(weights).filter(|((_, d), _)| !d.is_nan());
-        let residual = |a: &SVector<f64, D>, d: f64| d - (a - sensor_in_world).norm_squared();
-        let (mut centre, mut offset, mut ranges) = (SVector::zeros(), 0.0, 0);
-        let mut total = 0.0;
-        for ((a, &d), &w) in present() {
-            total += w;
-            centre += a * w;
-            offset += w * residual(a, d);
-            ranges += usize::from(w > 0.0);
-        }
-        let mut residuals = ranges;
-        if form == RangeForm::Raw || ranges == 0 {
-            (centre, offset) = (*sensor_in_world, 0.0);
-        } else {
-            let inverse = 1.0 / total;
-            (centre, offset) = (centre * inverse, offset * inverse);
-            residuals -= 1;
-        }
-        let mut sum =
-            Self { gram: SMatrix::zeros(), vector: SVector::zeros(), energy: 0.0, ranges, residuals };
-        for ((a, &d), &w) in present() {
-            let e = residual(a, d) - offset;
-            let lever = a - centre;
-            add_outer(&mut sum.gram, 4.0 * w, &lever, &lever);
-            sum.vector -= lever * (2.0 * w * e);
-            sum.energy += w * e * e;
-        }
-        sum
-    }
-}
-
-/// The sums over the sensors.
-struct Sum<const D: usize> {
-    gram: SMatrix<f64, D, D>,
-    information: BlockMatrix<D>,
-    innovation: Theta<D>,
-    energy: f64,
-    ranges: usize,
-    residuals: usize,
-}
-
-impl<const D: usize> Sum<D> {
-    fn new() -> Self {
-        Self {
-            gram: SMatrix::zeros(),
-            information: BlockMatrix::zeros(),
-            innovation: Theta::zeros(),
-            energy: 0.0,
-            ranges: 0,
-            residuals: 0,
-        }
-    }
-
-    #[inline]
-    fn add(&mut self, c: &SVector<f64, D>, one: &SensorSum<D>, with_gram: bool, with_information: bool) {
-        let extended = |j: usize| if j < D { c[j] } else { 1.0 };
-        if with_gram {
-            self.gram = one.gram;
-        }
-        if with_information {
-            for i in 0..=D {
-                for j in 0..=i {
-                    *self.information.block_mut(i, j) += one.gram * (extended(i) * extended(j));
-                }
-            }
-        }
-        for j in 0..=D {
-            self.innovation.add_to_column(j, &(one.vector * extended(j)));
-        }
-        self.energy += one.energy;
-        self.ranges += one.ranges;
-        self.residuals += one.residuals;
+fn pair_weights(law: VarianceLaw, squared_ranges: &[f64], weights: &mut [f64]) {
+    for (weight, &d) in weights.iter_mut().zip(squared_ranges) {
+        *weight = if d.is_nan() { 0.0 } else { 1.0 / law.variance(d) };
     }
 }
 
@@ -298,10 +208,10 @@ fn kronecker<const D: usize>(topology: &Topology<D>, gram: &SMatrix<f64, D, D>) 
     let mut result = BlockMatrix::zeros();
     for i in 0..D {
         for j in 0..=i {
-            *result.block_mut(i, j) = gram * topology.gram()[(i, j)];
+            result.set_block(i, j, &(gram * topology.gram()[(i, j)]));
         }
-        *result.block_mut(D, i) = gram * topology.sum()[i];
+        result.set_block(D, i, &(gram * topology.sum()[i]));
     }
-    *result.block_mut(D, D) = gram * topology.len() as f64;
+    result.set_block(D, D, &(gram * topology.len() as f64));
     result
 }

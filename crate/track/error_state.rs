@@ -5,10 +5,11 @@ use crate::error::Result;
 use crate::math::pose::{Pose, Theta};
 use crate::math::rotation::{Angles, Manifold, Rotation, defect, right_jacobian_inverse, rotation_angles};
 use crate::math::tangent::{TangentMatrix, TangentTransform, TangentVector, join, restrict_gradient, split};
+use crate::model::accumulate::RangeBuffer;
 use crate::model::epoch::{Epoch, Initial};
 use crate::model::motion::ProcessNoise;
 use crate::model::normal_equations::NormalEquations;
-use crate::model::ranging::{RangeForm, RangeModel, WeightBuffer};
+use crate::model::ranging::{RangeForm, RangeModel};
 
 const MAX_ITERATIONS: usize = 30;
 
@@ -30,7 +31,7 @@ pub struct ErrorStateKalmanFilter<const D: usize> {
     form: RangeForm,
     pose: Pose<D>,
     covariance: TangentMatrix<D>,
-    buffer: WeightBuffer,
+    buffer: RangeBuffer<D>,
 }
 
 /// One evaluation of the cost: where, how much, and its Gauss-Newton model.
@@ -52,7 +53,7 @@ impl<const D: usize> ErrorStateKalmanFilter<D> {
         covariance.add_isotropic(0.5 * initial.variance, initial.variance);
         let rotation = Rotation::project(&initial.theta.orientation, Manifold::So);
         let pose = Pose { rotation, position: initial.theta.position };
-        let buffer = model.weight_buffer();
+        let buffer = model.range_buffer();
         Self { model, process, form, pose, covariance, buffer }
     }
 

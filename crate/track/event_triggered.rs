@@ -1,9 +1,10 @@
 //! The event-triggered Kalman filter and KF-ortho ([T] Sec. IV-C).
 
 use super::filter::{Estimator, Step, Uncertainty};
-use super::kalman::KalmanFilter;
+use super::kalman::{KalmanFilter, Update};
 use super::projection::project_in_metric;
 use crate::error::Result;
+use crate::math::block::OrientationMetric;
 use crate::math::pose::Theta;
 use crate::math::rotation::{Manifold, Rotation, defect};
 use crate::model::covariance::Covariance;
@@ -84,23 +85,22 @@ pub(super) fn project_jointly<const D: usize>(
     covariance: &Covariance<D>,
     manifold: Manifold,
 ) -> Result<Theta<D>> {
-    let metric = covariance.orientation_metric()?;
+    let OrientationMetric { metric, position_gain } = covariance.orientation_metric()?;
     let orientation = *project_in_metric(&theta.orientation, &metric, manifold)?.matrix();
     let moved = orientation - theta.orientation;
     let mut position = theta.position;
     for j in 0..D {
-        position += metric.block(D, j) * moved.column(j);
+        position += position_gain[j] * moved.column(j);
     }
     Ok(Theta { orientation, position })
 }
 
 impl<const D: usize> Estimator<D> for EventTriggeredKalmanFilter<D> {
     fn step(&mut self, epoch: &Epoch<D>) -> Result<Step<D>> {
-        let update = self.filter.update(epoch)?;
-        let event = self.triggered(&update.theta, &update.covariance);
-        let posterior = if event { self.project(&update.theta, &update.covariance)? } else { update.theta };
-        self.filter.keep(&update, if self.settings.feedback { posterior } else { update.theta });
-        let uncertainty = Uncertainty::Linear(update.covariance);
-        Ok(update.into_step(posterior, uncertainty, event))
+        let &Update { theta, covariance, .. } = self.filter.update(epoch)?;
+        let event = self.triggered(&theta, &covariance);
+        let posterior = if event { self.project(&theta, &covariance)? } else { theta };
+        self.filter.keep(if self.settings.feedback { posterior } else { theta });
+        Ok(self.filter.record(posterior, Uncertainty::Linear(covariance), event))
     }
 }

@@ -4,11 +4,12 @@ use super::filter::{Consistency, Estimator, Step, Uncertainty, require_finite};
 use crate::error::Result;
 use crate::math::pose::Theta;
 use crate::math::rotation::defect;
+use crate::model::accumulate::RangeBuffer;
 use crate::model::covariance::Covariance;
 use crate::model::epoch::{Epoch, Initial};
 use crate::model::motion::ProcessNoise;
 use crate::model::normal_equations::NormalEquations;
-use crate::model::ranging::{RangeForm, RangeModel, WeightBuffer};
+use crate::model::ranging::{RangeForm, RangeModel};
 
 /// The Kalman filter ([T] eq. 17, 20-22) in information form.
 ///
@@ -44,13 +45,14 @@ pub struct KalmanFilter<const D: usize> {
     process: ProcessNoise,
     theta: Theta<D>,
     covariance: Covariance<D>,
-    buffer: WeightBuffer,
+    buffer: RangeBuffer<D>,
+    update: Update<D>,
 }
 
 /// A predict and update that is not yet the filter's state: estimators that project decide what is kept.
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Update<const D: usize> {
     pub(super) prior: Theta<D>,
-    pub(super) prior_covariance: Covariance<D>,
     pub(super) normal: NormalEquations<D>,
     pub(super) theta: Theta<D>,
     pub(super) covariance: Covariance<D>,
@@ -61,54 +63,62 @@ impl<const D: usize> KalmanFilter<D> {
     /// Starts from a prior that is isotropic on `theta`.
     pub fn new(model: RangeModel<D>, initial: &Initial<D>, process: ProcessNoise) -> Self {
         let covariance = Covariance::isotropic(initial.variance, model.topology());
-        let buffer = model.weight_buffer();
-        Self { model, process, theta: initial.theta, covariance, buffer }
+        let buffer = model.range_buffer();
+        let theta = initial.theta;
+        let nis = Consistency { value: 0.0, degrees_of_freedom: 0 };
+        let update = Update { prior: theta, normal: NormalEquations::empty(), theta, covariance, nis };
+        Self { model, process, theta, covariance, buffer, update }
     }
 
     /// Predict and update from the present state, which is left as it is.
-    pub(super) fn update(&mut self, epoch: &Epoch<D>) -> Result<Update<D>> {
+    pub(super) fn update(&mut self, epoch: &Epoch<D>) -> Result<&Update<D>> {
         let rotation = epoch.motion.rotation();
-        let prior = epoch.motion.predict_theta(&self.theta, &rotation);
-        require_finite(&prior)?;
-        let mut prior_covariance = self.covariance;
-        prior_covariance.predict(rotation.matrix(), &self.process);
-        let normal = self.model.normal_equations(
+        let update = &mut self.update;
+        update.prior = epoch.motion.predict_theta(&self.theta, &rotation);
+        require_finite(&update.prior)?;
+        update.covariance = self.covariance;
+        update.covariance.predict(rotation.matrix(), &self.process);
+        self.model.fill_normal_equations(
             &epoch.ranges,
             epoch.weight_ranges(),
-            &prior,
+            &update.prior,
             RangeForm::Projected,
             &mut self.buffer,
+            &mut update.normal,
         )?;
-        let mut covariance = prior_covariance;
-        covariance.update(&normal.information)?;
-        let correction = covariance.times(&normal.innovation);
-        let mut theta = prior;
-        theta.orientation += correction.orientation;
-        theta.position += correction.position;
+        update.covariance.update(&update.normal.information)?;
+        let correction = update.covariance.times(&update.normal.innovation);
+        update.theta.orientation = update.prior.orientation + correction.orientation;
+        update.theta.position = update.prior.position + correction.position;
         // r^T S^-1 r = r^T r - r^T H P H^T r by the matrix inversion lemma.
-        let value = normal.energy - normal.innovation.dot(&correction);
-        let nis = Consistency { value: value.max(0.0), degrees_of_freedom: normal.residuals };
-        Ok(Update { prior, prior_covariance, normal, theta, covariance, nis })
+        let value = update.normal.energy - update.normal.innovation.dot(&correction);
+        update.nis = Consistency { value: value.max(0.0), degrees_of_freedom: update.normal.residuals };
+        Ok(update)
     }
 
-    /// Makes an update the state, with `theta` as the estimate that is fed back.
-    pub(super) fn keep(&mut self, update: &Update<D>, theta: Theta<D>) {
+    /// The covariance predicted for an epoch.
+    pub(super) fn predicted_covariance(&self, epoch: &Epoch<D>) -> Covariance<D> {
+        let mut covariance = self.covariance;
+        covariance.predict(epoch.motion.rotation().matrix(), &self.process);
+        covariance
+    }
+
+    /// Makes the last update the state, with `theta` as the estimate that is fed back.
+    pub(super) fn keep(&mut self, theta: Theta<D>) {
         self.theta = theta;
-        self.covariance = update.covariance;
+        self.covariance = self.update.covariance;
     }
-}
 
-impl<const D: usize> Update<D> {
-    /// The record of the step, with what is reported.
-    pub(super) fn into_step(self, posterior: Theta<D>, uncertainty: Uncertainty<D>, event: bool) -> Step<D> {
+    /// The record of the last update, with what is reported.
+    pub(super) fn record(&self, posterior: Theta<D>, uncertainty: Uncertainty<D>, event: bool) -> Step<D> {
         Step {
-            prior: self.prior,
-            innovation: self.normal.innovation,
-            nis: self.nis,
-            unprojected: self.theta,
+            prior: self.update.prior,
+            innovation: self.update.normal.innovation,
+            nis: self.update.nis,
+            unprojected: self.update.theta,
             posterior,
             uncertainty,
-            defect: defect(&self.theta.orientation),
+            defect: defect(&self.update.theta.orientation),
             event,
         }
     }
@@ -116,9 +126,8 @@ impl<const D: usize> Update<D> {
 
 impl<const D: usize> Estimator<D> for KalmanFilter<D> {
     fn step(&mut self, epoch: &Epoch<D>) -> Result<Step<D>> {
-        let update = self.update(epoch)?;
-        self.keep(&update, update.theta);
-        let (theta, covariance) = (update.theta, update.covariance);
-        Ok(update.into_step(theta, Uncertainty::Linear(covariance), false))
+        let theta = self.update(epoch)?.theta;
+        self.keep(theta);
+        Ok(self.record(theta, Uncertainty::Linear(self.covariance), false))
     }
 }

@@ -11,7 +11,7 @@ use crate::math::rotation::{Manifold, Rotation};
 
 /// `arg min (q - q_hat)^T W (q - q_hat)` over the manifold, `q = vec(Q)`.
 ///
-/// `metric` holds `W` in its blocks of `Q`. In the plane the minimum is global, from the secular equation of a quadratic
+/// `metric` holds `W` in its blocks of `Q`; what it says of `t` is not read. In the plane the minimum is global, from the secular equation of a quadratic
 /// on the circle. In space it is a safeguarded Newton iteration from the better of two polar factors (of `Q_hat` and of
 /// `W q_hat`; the second is already the answer where `W = I (x) W_row`), run until its steps stop shrinking. Over O(D) both
 /// components are searched and the cheaper answer is taken.
@@ -58,23 +58,13 @@ pub(super) fn difference<const D: usize>(rotation: &Rotation<D>, q: &SMatrix<f64
 }
 
 fn minimum<const D: usize>(q: &SMatrix<f64, D, D>, metric: &BlockMatrix<D>) -> Result<Rotation<D>> {
-    // W without the last block row, which in a metric from a covariance carries P_tq P_q^-1.
-    let metric = orientation_blocks(metric);
     let weighted = metric.times(&Theta { orientation: *q, position: nalgebra::SVector::zeros() }).orientation;
     if D == 2 {
-        return Ok(plane_minimum(&metric, &weighted));
+        return Ok(plane_minimum(metric, &weighted));
     }
     let starts = [&weighted, q].map(|matrix| Rotation::project(matrix, Manifold::So));
-    let better = usize::from(cost(&starts[1], q, &metric) < cost(&starts[0], q, &metric));
-    newton(starts[better], q, &metric)
-}
-
-fn orientation_blocks<const D: usize>(metric: &BlockMatrix<D>) -> BlockMatrix<D> {
-    let mut result = *metric;
-    for j in 0..=D {
-        *result.block_mut(D, j) = SMatrix::zeros();
-    }
-    result
+    let better = usize::from(cost(&starts[1], q, metric) < cost(&starts[0], q, metric));
+    newton(starts[better], q, metric)
 }
 
 fn mirror<const D: usize>(q: &SMatrix<f64, D, D>) -> SMatrix<f64, D, D> {
@@ -88,7 +78,7 @@ fn mirror<const D: usize>(q: &SMatrix<f64, D, D>) -> SMatrix<f64, D, D> {
 fn mirror_metric<const D: usize>(metric: &BlockMatrix<D>) -> BlockMatrix<D> {
     let mut result = *metric;
     for j in 0..D - 1 {
-        *result.block_mut(D - 1, j) *= -1.0;
+        result.set_block(D - 1, j, &-metric.block(D - 1, j));
     }
     result
 }

@@ -45,15 +45,16 @@ impl<const D: usize> UnitaryKalmanFilter<D> {
 
 impl<const D: usize> Estimator<D> for UnitaryKalmanFilter<D> {
     fn step(&mut self, epoch: &Epoch<D>) -> Result<Step<D>> {
+        let prior = self.decoupled.then(|| self.filter.predicted_covariance(epoch));
         let update = self.filter.update(epoch)?;
-        let posterior = match (&update.prior_covariance, self.decoupled) {
-            (Covariance::Full(prior), true) => decoupled(&update, prior, self.manifold)?,
+        let posterior = match prior {
+            Some(Covariance::Full(prior)) => decoupled(update, &prior, self.manifold)?,
             // With C 1 = 0 and independent columns the two forms are one.
             _ => project_jointly(&update.theta, &update.covariance, self.manifold)?,
         };
-        self.filter.keep(&update, posterior);
         let uncertainty = Uncertainty::Constrained(update.covariance);
-        Ok(update.into_step(posterior, uncertainty, true))
+        self.filter.keep(posterior);
+        Ok(self.filter.record(posterior, uncertainty, true))
     }
 }
 
@@ -66,9 +67,9 @@ fn decoupled<const D: usize>(
     let information = update.normal.information.to_blocks();
     let innovation = &update.normal.innovation;
     let (mut metric, mut gradient) = eliminate_position(&information, innovation);
-    metric.add(&orientation_part(&prior.orientation_metric().map_err(not_positive)?));
+    metric.add(&prior.orientation_metric().map_err(not_positive)?.metric);
     // Zero rows for t would make the metric singular; the identity leaves them alone.
-    *metric.block_mut(D, D) = SMatrix::identity();
+    metric.set_block(D, D, &SMatrix::identity());
     gradient.position = SVector::zeros();
     let unconstrained = metric.inverse().map_err(not_positive)?.times(&gradient).orientation;
     let target = update.prior.orientation + unconstrained;
@@ -87,22 +88,14 @@ fn eliminate_position<const D: usize>(
     innovation: &Theta<D>,
 ) -> (BlockMatrix<D>, Theta<D>) {
     let inverse = psd_pseudo_inverse(&information.position_block());
-    let mut reduced = orientation_part(information);
+    let mut reduced = BlockMatrix::zeros();
     let mut gradient = *innovation;
     for i in 0..D {
         let gain = information.block(i, D) * inverse;
         for j in 0..=i {
-            *reduced.block_mut(i, j) -= gain * information.block(D, j);
+            reduced.set_block(i, j, &(information.block(i, j) - gain * information.block(D, j)));
         }
         gradient.add_to_column(i, &-(gain * innovation.position));
     }
     (reduced, gradient)
-}
-
-fn orientation_part<const D: usize>(matrix: &BlockMatrix<D>) -> BlockMatrix<D> {
-    let mut result = *matrix;
-    for j in 0..=D {
-        *result.block_mut(D, j) = SMatrix::zeros();
-    }
-    result
 }

@@ -29,7 +29,7 @@ pub struct Scene<const D: usize> {
 
 impl<const D: usize> Scene<D> {
     pub fn information(&self, form: RangeForm) -> FisherInformation<'_, D> {
-        fisher_information(&self.model, &self.pose, form, &mut self.model.weight_buffer()).unwrap()
+        fisher_information(&self.model, &self.pose, form, &mut self.model.range_buffer()).unwrap()
     }
 }
 

@@ -27,7 +27,7 @@ pub fn blocks<const D: usize>(matrix: &DMatrix<f64>) -> BlockMatrix<D> {
     let mut result = BlockMatrix::zeros();
     for i in 0..=D {
         for j in 0..=i {
-            *result.block_mut(i, j) = matrix.fixed_view::<D, D>(i * D, j * D).into_owned();
+            result.set_block(i, j, &matrix.fixed_view::<D, D>(i * D, j * D).into_owned());
         }
     }
     result

@@ -116,7 +116,7 @@ fn mirrored_cost<const D: usize>(
     q.column_mut(D - 1).neg_mut();
     let mut metric = *metric;
     for j in 0..D - 1 {
-        metric.block_mut(D - 1, j).neg_mut();
+        metric.set_block(D - 1, j, &-metric.block(D - 1, j));
     }
     lowest_cost(sampler, &q, &metric)
 }

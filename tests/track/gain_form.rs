@@ -111,7 +111,7 @@ fn same<const D: usize>(fast: &Covariance<D>, full: &Covariance<D>, theta: &Thet
     for covariance in [fast, full] {
         at_most("P x", dense::vector_difference(&dense::vector(&covariance.times(theta)), &product), 1e-12);
         at_most("tr P_q", (covariance.orientation_trace() / full.orientation_trace() - 1.0).abs(), 1e-12);
-        let metric = dense::matrix(&covariance.orientation_metric().unwrap());
+        let metric = dense::matrix(&covariance.orientation_metric().unwrap().metric);
         let metric = metric.view((0, 0), (split, split)).into_owned();
         at_most("P_q^-1", dense::difference(&metric, &expected), 1e-11);
     }
@@ -123,7 +123,7 @@ fn decoupled_covariance_is_the_full_one<const D: usize>() {
     let (model, process) = (&track.recording.model, &track.recording.process);
     let mut fast = Covariance::isotropic(1.0, model.topology());
     let mut full = Covariance::Full(fast.to_blocks());
-    let mut buffer = model.weight_buffer();
+    let mut buffer = model.range_buffer();
     for epoch in &track.recording.epochs {
         let normal = model
             .normal_equations(

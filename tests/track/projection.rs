@@ -1,6 +1,6 @@
 //! Projection of `Q` in any metric: a stationary point, a minimum, and the lowest one wherever `Q` is near a rotation.
 
-use nalgebra::{DMatrix, SMatrix};
+use nalgebra::{DMatrix, SMatrix, SVector};
 use rangelab::math::block::BlockMatrix;
 use rangelab::math::pose::Theta;
 use rangelab::math::rotation::{Manifold, Rotation, defect, determinant, rotation_angles};
@@ -165,9 +165,11 @@ fn symmetric_inputs_do_not_stop_on_a_saddle<const D: usize>() {
             .collect();
         let mut w = BlockMatrix::<D>::zeros();
         for j in 0..D {
-            for i in 0..D {
-                w.block_mut(j, j)[(i, i)] = diagonal[j * D + i];
-            }
+            w.set_block(
+                j,
+                j,
+                &SMatrix::from_diagonal(&SVector::from_column_slice(&diagonal[j * D..(j + 1) * D])),
+            );
         }
         let r = project_in_metric(&q, &w, Manifold::So).unwrap();
         let found = cost(r.matrix(), &q, &w);
