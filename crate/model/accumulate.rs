@@ -89,7 +89,7 @@ impl<'a, const D: usize> Sum<'a, D> {
         self.add_vector(c, &vector);
     }
 
-    /// Adds a sensor with weights of its own, some of which may be zero: those ranges are missing.
+    /// Adds a sensor with information of its own; ranges that are missing or without a weight are left out.
     pub(super) fn add(
         &mut self,
         c: &SVector<f64, D>,
@@ -99,19 +99,18 @@ impl<'a, const D: usize> Sum<'a, D> {
         form: RangeForm,
         buffer: &mut RangeBuffer<D>,
     ) {
+        let present = |d: f64, w: f64| !d.is_nan() && w > 0.0;
         let (mut total, mut centre, mut offset, mut ranges) = (0.0, SVector::zeros(), 0.0, 0);
-        for (((e, a), &d), w) in
-            buffer.residuals.iter_mut().zip(anchors).zip(squared_ranges).zip(&mut buffer.weights)
+        for (((e, a), &d), &w) in
+            buffer.residuals.iter_mut().zip(anchors).zip(squared_ranges).zip(&buffer.weights)
         {
-            if d.is_nan() || *w == 0.0 {
-                (*w, *e) = (0.0, 0.0);
-                continue;
+            if present(d, w) {
+                *e = d - squared_distance(a, sensor_in_world);
+                total += w;
+                centre += a * w;
+                offset += w * *e;
+                ranges += 1;
             }
-            *e = d - squared_distance(a, sensor_in_world);
-            total += *w;
-            centre += a * *w;
-            offset += *w * *e;
-            ranges += 1;
         }
         if ranges == 0 {
             return;
@@ -120,8 +119,10 @@ impl<'a, const D: usize> Sum<'a, D> {
         let inverse = 1.0 / total;
         (centre, offset) = if raw { (*sensor_in_world, 0.0) } else { (centre * inverse, offset * inverse) };
         let (mut gram, mut vector) = (SMatrix::zeros(), SVector::zeros());
-        for ((&e, a), &w) in buffer.residuals.iter().zip(anchors).zip(&buffer.weights) {
-            if w > 0.0 {
+        for (((&e, a), &d), &w) in
+            buffer.residuals.iter().zip(anchors).zip(squared_ranges).zip(&buffer.weights)
+        {
+            if present(d, w) {
                 let lever = a - centre;
                 add_to_gram(&mut gram, w, &lever);
                 self.normal.energy += add_residual(&mut vector, w, e - offset, &lever);

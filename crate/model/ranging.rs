@@ -133,7 +133,8 @@ impl<const D: usize> RangeModel<D> {
         if common {
             self.common_weights(weight_ranges, &mut buffer.weights);
         }
-        let shared = common && form == RangeForm::Projected && ranges.missing() == 0;
+        let complete = ranges.missing() == 0 && weight_ranges.missing() == 0;
+        let shared = common && form == RangeForm::Projected && complete;
         let mut sum = Sum::new(normal, shared);
         if shared {
             sum.set_shared(self.anchors.positions(), buffer);
