@@ -1,4 +1,26 @@
 //! Position **and orientation** of a rigid body from ranges between sensors on it and known anchors.
+//!
+//! Sensors sit at known places `c_n` of the body, anchors at known places `a_m` of the world. The body's pose takes one
+//! frame to the other, `s_n = Q c_n + t`, and is found from the squared ranges `d_mn = ||a_m - s_n||^2 + noise`.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`math`] | rotations, poses and small matrices, in the plane and in space by one code path |
+//! | [`model`] | anchors, topology, noise, ranges and their normal equations; the documents `Scenario`, `Recording`, `Run` |
+//! | [`track`] | KF, KF-ortho, UC-KF, ET-KF and the error-state filter, all on one update |
+//! | [`bounds`] | CRB, UC-CRB and the posterior bounds: how well any estimator could do |
+//! | [`simulate`] | a scenario made into a recording, one random stream a trial |
+//! | [`study`] | one run or many, with standard errors |
+//!
+//! Conventions: metres, seconds and radians unless a name says otherwise; transforms take the body frame to the world
+//! frame; rotation errors are perturbed on the right, `R exp(hat(phi))`; `vec` stacks columns.
+//!
+//! The papers are cited as \[T\], *Tracking Position and Orientation of a Mobile Rigid Body* (S. P. Chepuri,
+//! A. Simonetto, G. Leus, A.-J. van der Veen), and \[L\], *Rigid Body Localization Using Sensor Networks* (S. P. Chepuri,
+//! G. Leus, A.-J. van der Veen, 2013); equations are corrected where they are misprinted.
+//!
+//! Every function is pure and gives the same bits natively and in WebAssembly: the crate is `no_std`, has no clock, no
+//! files, no threads and no global randomness, and takes its sines from `libm`.
 // Without `std` no platform mathematics can slip in. The macros of `typescript`, which only write types, need it.
 #![cfg_attr(not(feature = "typescript"), no_std)]
 

@@ -99,9 +99,3 @@ pub fn add_outer<const D: usize>(
         }
     }
 }
-
-/// The symmetric part `(A + A^T)/2`.
-#[inline]
-pub fn symmetric_part<const D: usize>(a: &SMatrix<f64, D, D>) -> SMatrix<f64, D, D> {
-    (a + a.transpose()) * 0.5
-}

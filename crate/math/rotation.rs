@@ -158,11 +158,6 @@ impl<const D: usize> Rotation<D> {
         Self(polar)
     }
 
-    /// True if the matrix mirrors the body (`det < 0`).
-    pub fn is_reflection(&self) -> bool {
-        determinant(&self.0) < 0.0
-    }
-
     /// `d(R exp(hat(phi)))/d phi_i` at `phi = 0`: the D x D matrix `R E_i`, `E_i = hat(e_i)`.
     pub fn tangent(&self, i: usize) -> SMatrix<f64, D, D> {
         let mut phi = [0.0; MAX_ANGLES];
