@@ -18,7 +18,9 @@ impl Fingerprint {
     }
 
     fn numbers<'a>(&mut self, numbers: impl IntoIterator<Item = &'a f64>) {
-        numbers.into_iter().for_each(|x| self.number(*x));
+        for x in numbers {
+            self.number(*x);
+        }
     }
 
     /// `None` must not look like a step that is not there.
@@ -36,7 +38,9 @@ impl Fingerprint {
 
     fn step(&mut self, step: &StepRecord) {
         self.number(step.time);
-        [&step.prior, &step.innovation, &step.posterior].into_iter().for_each(|pose| self.pose(pose));
+        self.pose(&step.prior);
+        self.pose(&step.innovation);
+        self.pose(&step.posterior);
         self.numbers(&[step.covariance_trace.orientation, step.covariance_trace.position]);
         self.numbers(step.position_covariance.iter().flatten());
         self.numbers(&[step.defect, step.nis.value]);

@@ -51,7 +51,7 @@ impl TrackRun {
     /// True orientations: K x D x D.
     pub fn truth_orientations(&self) -> Vec<f64> {
         self.truth(self.0.dimension * self.0.dimension, |pose, to| {
-            to.extend(pose.orientation.iter().flatten())
+            to.extend(pose.orientation.iter().flatten());
         })
     }
 
