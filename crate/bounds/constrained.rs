@@ -13,7 +13,7 @@ use crate::math::tangent::{TangentMatrix, tangent_dimension};
 /// matrix is singular within double precision.
 const MAX_INFLATION: f64 = 1e12;
 
-/// The Cramér-Rao bound `F^-1` of all entries of `[Q | t]`, which takes `Q` for any matrix ([L] eq. 40).
+/// The Cramér-Rao bound `F^-1` of all entries of `[Q | t]`, which takes `Q` for any matrix (\[L\] eq. 40).
 ///
 /// Entries of `Q` have no unit, those of `t` are in m.
 ///
@@ -28,7 +28,7 @@ pub fn crb<const D: usize>(information: &FisherInformation<D>) -> Result<BlockMa
 }
 
 /// The unitarily constrained bound on the tangent space, `(T^T F T)^-1` with `T = d vec([R exp(hat(phi)) | t])/d(phi, t)`
-/// ([L] eq. 42, corrected, in coordinates of rad and m).
+/// (\[L\] eq. 42, corrected, in coordinates of rad and m).
 ///
 /// # Errors
 /// [`crate::Error::Unobservable`] with the cause.
@@ -41,7 +41,7 @@ pub fn unitary_crb<const D: usize>(information: &FisherInformation<D>) -> Result
 }
 
 /// The covariance `T C T^T` of `vec([Q | t])` that belongs to a covariance `C` of the tangent coordinates: with
-/// [`unitary_crb`] it is `U (U^T F U)^-1 U^T` of [L] eq. 42 and 47, of rank D(D+1)/2.
+/// [`unitary_crb`] it is `U (U^T F U)^-1 U^T` of \[L\] eq. 42 and 47, of rank D(D+1)/2.
 pub fn image<const D: usize>(covariance: &TangentMatrix<D>, rotation: &Rotation<D>) -> BlockMatrix<D> {
     let angles = rotation_angles(D);
     // Column j of the derivative of [R exp(hat(phi)) | t] in tangent coordinate a.

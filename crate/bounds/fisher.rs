@@ -30,7 +30,7 @@ impl<const D: usize> FisherInformation<'_, D> {
     }
 }
 
-/// The Fisher information of all M x N squared ranges at the true pose, `F = H^T Sigma^-1 H` ([L] eq. 41 with
+/// The Fisher information of all M x N squared ranges at the true pose, `F = H^T Sigma^-1 H` (\[L\] eq. 41 with
 /// `J_t = 1_N (x) Abar`: for the common weights of the papers `F = (C_e C_e^T) (x) Abar^T Abar`).
 ///
 /// The noise has the variance of the **true** ranges; which range gives a pair its variance is the model's

@@ -57,7 +57,7 @@ impl<const D: usize> Pose<D> {
     }
 }
 
-/// The unconstrained state `Theta = [Q | t]` of [T] eq. 3: `Q` is any D x D matrix.
+/// The unconstrained state `Theta = [Q | t]` of \[T\] eq. 3: `Q` is any D x D matrix.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Theta<const D: usize> {
     /// `Q`, near a rotation but not constrained to be one.

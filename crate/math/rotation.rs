@@ -89,7 +89,7 @@ impl<const D: usize> Rotation<D> {
         &self.0
     }
 
-    /// `exp(hat(phi))`, Rodrigues' formula ([T] eq. 10) in a form that is accurate down to `phi = 0`.
+    /// `exp(hat(phi))`, Rodrigues' formula (\[T\] eq. 10) in a form that is accurate down to `phi = 0`.
     ///
     /// `I + sin(theta)/theta K + 2 sin^2(theta/2)/theta^2 K^2`.
     pub fn exp(phi: &Angles) -> Self {
@@ -143,7 +143,7 @@ impl<const D: usize> Rotation<D> {
         Self(self.0 * other.0)
     }
 
-    /// The nearest element of the manifold in the Frobenius norm ([T] eq. 28): the polar factor `U V^T`, on
+    /// The nearest element of the manifold in the Frobenius norm (\[T\] eq. 28): the polar factor `U V^T`, on
     /// [`Manifold::So`] with the sign of the least singular direction turned where it would mirror.
     pub fn project(matrix: &SMatrix<f64, D, D>, manifold: Manifold) -> Self {
         let s = singular(matrix);
@@ -208,7 +208,7 @@ pub fn vee<const D: usize>(k: &SMatrix<f64, D, D>) -> Angles {
     if D == 2 { [k[(1, 0)], 0.0, 0.0] } else { [k[(2, 1)], k[(0, 2)], k[(1, 0)]] }
 }
 
-/// Defect from orthogonality, `||Q^T Q - I||_F`: the statistic of the event trigger ([T] Sec. IV-C).
+/// Defect from orthogonality, `||Q^T Q - I||_F`: the statistic of the event trigger (\[T\] Sec. IV-C).
 pub fn defect<const D: usize>(q: &SMatrix<f64, D, D>) -> f64 {
     (q.transpose() * q - SMatrix::<f64, D, D>::identity()).norm()
 }

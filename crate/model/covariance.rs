@@ -38,7 +38,7 @@ impl<const D: usize> Covariance<D> {
         }
     }
 
-    /// Predicts: `F P F^T + M` with `F = diag(I (x) F_Q, I)`, `M = diag(sigma_q^2 I, sigma_t^2 I)` ([T] eq. 17b).
+    /// Predicts: `F P F^T + M` with `F = diag(I (x) F_Q, I)`, `M = diag(sigma_q^2 I, sigma_t^2 I)` (\[T\] eq. 17b).
     pub fn predict(&mut self, rotation: &SMatrix<f64, D, D>, noise: &ProcessNoise) {
         let (orientation, position) = (noise.sigma_q * noise.sigma_q, noise.sigma_t * noise.sigma_t);
         match self {

@@ -30,7 +30,7 @@ impl<const D: usize> Epoch<D> {
 pub struct Initial<const D: usize> {
     /// `[Q | t]` before the first prediction.
     pub theta: Theta<D>,
-    /// Variance of each entry of `[Q | t]` ([T] Sec. V: 100).
+    /// Variance of each entry of `[Q | t]` (\[T\] Sec. V: 100).
     pub variance: f64,
 }
 

@@ -17,13 +17,13 @@ use crate::math::rotation::Manifold;
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(export))]
 #[serde(rename_all = "kebab-case")]
 pub enum EstimatorName {
-    /// Unconstrained Kalman filter on `[Q | t]` ([T] Sec. IV-A).
+    /// Unconstrained Kalman filter on `[Q | t]` (\[T\] Sec. IV-A).
     Kf,
-    /// The Kalman filter, `Q` projected after every update ([T] Sec. IV-C with threshold 0).
+    /// The Kalman filter, `Q` projected after every update (\[T\] Sec. IV-C with threshold 0).
     Ortho,
-    /// Unitarily constrained Kalman filter ([T] Sec. IV-B).
+    /// Unitarily constrained Kalman filter (\[T\] Sec. IV-B).
     UcKf,
-    /// The Kalman filter, `Q` projected only where its defect exceeds a threshold ([T] Sec. IV-C).
+    /// The Kalman filter, `Q` projected only where its defect exceeds a threshold (\[T\] Sec. IV-C).
     EtKf,
     /// Error-state Kalman filter on SO(D) x R^D, `||s||^2` projected out of the squared ranges.
     Eskf,
@@ -91,10 +91,10 @@ impl FromStr for EstimatorName {
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(export))]
 #[serde(rename_all = "lowercase")]
 pub enum Metric {
-    /// The identity: the polar factor ([T] eq. 28).
+    /// The identity: the polar factor (\[T\] eq. 28).
     #[default]
     Frobenius,
-    /// `P_q^-1`: badly seen entries of `Q` give way to well seen ones, as in the UC-KF ([T] eq. 23).
+    /// `P_q^-1`: badly seen entries of `Q` give way to well seen ones, as in the UC-KF (\[T\] eq. 23).
     Information,
 }
 
@@ -103,7 +103,7 @@ pub enum Metric {
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(export))]
 #[serde(rename_all = "lowercase")]
 pub enum ThresholdKind {
-    /// `epsilon` itself ([T] Sec. IV-C).
+    /// `epsilon` itself (\[T\] Sec. IV-C).
     #[default]
     Absolute,
     /// `epsilon sqrt(tr P_q)`: the trigger keeps acting while the filter settles.
@@ -122,7 +122,7 @@ pub struct Threshold {
 }
 
 impl Default for Threshold {
-    /// The paper's, `epsilon = 0.15` ([T] Sec. V).
+    /// The paper's, `epsilon = 0.15` (\[T\] Sec. V).
     fn default() -> Self {
         Self { kind: ThresholdKind::Absolute, epsilon: 0.15 }
     }
@@ -143,7 +143,7 @@ pub struct EstimatorSettings {
     pub feedback: bool,
     /// The trigger of the ET-KF.
     pub threshold: Threshold,
-    /// True: the UC-KF solves for `Q` and then for `t` ([T] eq. 26-27); false: jointly (eq. 23).
+    /// True: the UC-KF solves for `Q` and then for `t` (\[T\] eq. 26-27); false: jointly (eq. 23).
     pub decoupled: bool,
 }
 

@@ -1,4 +1,4 @@
-//! How the body moves between epochs: the filter's linear model ([T] eq. 12 and 14).
+//! How the body moves between epochs: the filter's linear model (\[T\] eq. 12 and 14).
 
 use nalgebra::SVector;
 use serde::{Deserialize, Serialize};
@@ -23,12 +23,12 @@ impl<const D: usize> Motion<D> {
         Self { interval, velocity: SVector::zeros(), angular_velocity: [0.0; 3] }
     }
 
-    /// `F_Q = exp(interval hat(omega))` ([T] eq. 10; `Omega` carries the sampling time).
+    /// `F_Q = exp(interval hat(omega))` (\[T\] eq. 10; `Omega` carries the sampling time).
     pub fn rotation(&self) -> Rotation<D> {
         Rotation::exp(&self.angular_velocity.map(|x| x * self.interval))
     }
 
-    /// Predicts the unconstrained state, `Q <- F_Q Q`, `t <- t + interval velocity` ([T] eq. 17a).
+    /// Predicts the unconstrained state, `Q <- F_Q Q`, `t <- t + interval velocity` (\[T\] eq. 17a).
     #[must_use]
     pub fn predict_theta(&self, theta: &Theta<D>, rotation: &Rotation<D>) -> Theta<D> {
         Theta {
@@ -52,9 +52,9 @@ impl<const D: usize> Motion<D> {
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(export))]
 #[serde(deny_unknown_fields)]
 pub struct ProcessNoise {
-    /// Standard deviation of each entry of `Z_Q` ([T] eq. 12), and of the rotation about each axis for the error-state
+    /// Standard deviation of each entry of `Z_Q` (\[T\] eq. 12), and of the rotation about each axis for the error-state
     /// filter and the intrinsic bound, rad.
     pub sigma_q: f64,
-    /// Standard deviation of each coordinate of `z_t` ([T] eq. 14), m.
+    /// Standard deviation of each coordinate of `z_t` (\[T\] eq. 14), m.
     pub sigma_t: f64,
 }

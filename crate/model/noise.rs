@@ -13,12 +13,12 @@ pub const SQUARED_RANGE_FLOOR: f64 = 1e-6;
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(export))]
 #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
 pub enum RangeNoise {
-    /// Squared range `d = r^2 + n` with `var n = sigma^2 r^2` ([T] below eq. 1).
+    /// Squared range `d = r^2 + n` with `var n = sigma^2 r^2` (\[T\] below eq. 1).
     SquaredRange {
         /// `sigma`, m.
         sigma: f64,
     },
-    /// Time of arrival: range `y = r + v` with `var v = r^2/zeta` ([L] eq. 2, corrected), hence `var d = 4 r^4/zeta`.
+    /// Time of arrival: range `y = r + v` with `var v = r^2/zeta` (\[L\] eq. 2, corrected), hence `var d = 4 r^4/zeta`.
     Toa {
         /// `zeta = r^2/var(v)` in decibels.
         zeta_db: f64,

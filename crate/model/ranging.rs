@@ -30,7 +30,7 @@ pub enum Weighting {
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(export))]
 #[serde(rename_all = "snake_case")]
 pub enum RangeForm {
-    /// It is projected out ([T] eq. 5): linear in `theta`, at the cost of one range for each sensor.
+    /// It is projected out (\[T\] eq. 5): linear in `theta`, at the cost of one range for each sensor.
     #[default]
     Projected,
     /// The squared ranges are used as they are, linearized at the reference: they also see the direction normal to

@@ -11,7 +11,7 @@ use crate::math::block::MAX_BLOCKS;
 use crate::math::linalg::add_outer;
 use crate::math::singular::singular;
 
-/// Positions `c_n` of the sensors in the body frame ([T] Sec. II-B), m, and what follows from them alone.
+/// Positions `c_n` of the sensors in the body frame (\[T\] Sec. II-B), m, and what follows from them alone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Topology<const D: usize> {
     sensors: Vec<SVector<f64, D>>,

@@ -12,7 +12,7 @@ use crate::model::ranging::RangeModel;
 /// Disturbs exact squared ranges and loses some.
 ///
 /// ```text
-/// squared_range   d = r^2 + sigma r n     [T] below eq. 1, each pair by its own range
+/// squared_range   d = r^2 + sigma r n     \[T\] below eq. 1, each pair by its own range
 /// toa             d = (r + r n/sqrt(zeta))^2
 /// range           d = (r + sigma n)^2
 /// ```

@@ -13,8 +13,8 @@ use crate::model::scenario::{MotionSettings, Setup};
 /// Moves the body from its start through all epochs.
 ///
 /// ```text
-/// R_k = exp(tau (hat(omega) + hat(e))) R_(k-1),  e ~ N(0, sigma_omega^2 I)     [T] eq. 11, Omega = tau hat(omega)
-/// t_k = t_(k-1) + tau velocity + z,               z ~ N(0, sigma_t^2 I)         [T] eq. 14
+/// R_k = exp(tau (hat(omega) + hat(e))) R_(k-1),  e ~ N(0, sigma_omega^2 I)     \[T\] eq. 11, Omega = tau hat(omega)
+/// t_k = t_(k-1) + tau velocity + z,               z ~ N(0, sigma_t^2 I)         \[T\] eq. 14
 /// ```
 ///
 /// Each epoch draws the entries of `e`, then those of `z`. The true rotation is projected after every step: it stays one

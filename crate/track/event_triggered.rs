@@ -1,4 +1,4 @@
-//! The event-triggered Kalman filter and KF-ortho ([T] Sec. IV-C).
+//! The event-triggered Kalman filter and KF-ortho (\[T\] Sec. IV-C).
 
 use super::filter::{Estimator, Step, Uncertainty};
 use super::kalman::{KalmanFilter, Update};
@@ -79,7 +79,7 @@ impl<const D: usize> EventTriggeredKalmanFilter<D> {
     }
 }
 
-/// Projects `Q` in the metric `P_q^-1` and moves `t` along: the exact minimizer of [T] eq. 23 for any `P` and topology.
+/// Projects `Q` in the metric `P_q^-1` and moves `t` along: the exact minimizer of \[T\] eq. 23 for any `P` and topology.
 pub(super) fn project_jointly<const D: usize>(
     theta: &Theta<D>,
     covariance: &Covariance<D>,

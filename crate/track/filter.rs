@@ -52,9 +52,9 @@ pub struct Consistency {
 /// The covariance an estimator reports, and what it is a covariance of.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Uncertainty<const D: usize> {
-    /// Of all entries of `[Q | t]` ([T] eq. 22).
+    /// Of all entries of `[Q | t]` (\[T\] eq. 22).
     Linear(Covariance<D>),
-    /// The same matrix kept by an estimator that stays on the manifold: too large as it stands ([T] end of Sec. IV-B),
+    /// The same matrix kept by an estimator that stays on the manifold: too large as it stands (\[T\] end of Sec. IV-B),
     /// right when restricted to the tangent space, `(T^T P^-1 T)^-1`.
     Constrained(Covariance<D>),
     /// Of the tangent coordinates `(phi, t)`, rotation perturbed on the right.

@@ -1,4 +1,4 @@
-//! The unconstrained Kalman filter on `theta = vec([Q | t])` ([T] Sec. IV-A).
+//! The unconstrained Kalman filter on `theta = vec([Q | t])` (\[T\] Sec. IV-A).
 
 use super::filter::{Consistency, Estimator, Step, Uncertainty, require_finite};
 use crate::error::Result;
@@ -11,7 +11,7 @@ use crate::model::motion::ProcessNoise;
 use crate::model::normal_equations::NormalEquations;
 use crate::model::ranging::{RangeForm, RangeModel};
 
-/// The Kalman filter ([T] eq. 17, 20-22) in information form.
+/// The Kalman filter (\[T\] eq. 17, 20-22) in information form.
 ///
 /// `P <- (P^-1 + Lambda)^-1`, `theta <- theta + P innovation`, where `Lambda` and the innovation are the normal equations
 /// of the ranges about the prior. With a centred topology and shared weights this is D+1 independent D-state filters,

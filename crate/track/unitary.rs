@@ -1,4 +1,4 @@
-//! The unitarily constrained Kalman filter ([T] Sec. IV-B).
+//! The unitarily constrained Kalman filter (\[T\] Sec. IV-B).
 
 use nalgebra::{SMatrix, SVector};
 
@@ -17,7 +17,7 @@ use crate::model::epoch::{Epoch, Initial};
 use crate::model::motion::ProcessNoise;
 use crate::model::ranging::RangeModel;
 
-/// The UC-KF: the update is the minimizer of [T] eq. 23 over `Q` on the manifold and `t`.
+/// The UC-KF: the update is the minimizer of \[T\] eq. 23 over `Q` on the manifold and `t`.
 ///
 /// For any prior and topology that is the plain Kalman update, then the projection of `Q` in the metric `P_q^-1`, then
 /// `t <- t + P_tq P_q^-1 (q_new - q)`; no stacking. The covariance stays that of eq. 22, which is too large on the
@@ -31,7 +31,7 @@ pub struct UnitaryKalmanFilter<const D: usize> {
 
 impl<const D: usize> UnitaryKalmanFilter<D> {
     /// Starts from a prior that is isotropic on `theta`. `decoupled` solves for `Q` with `t` eliminated from the ranges
-    /// alone and then for `t` ([T] eq. 26-27), which is the same for a centred topology and a little worse otherwise.
+    /// alone and then for `t` (\[T\] eq. 26-27), which is the same for a centred topology and a little worse otherwise.
     pub fn new(
         model: RangeModel<D>,
         initial: &Initial<D>,
@@ -58,7 +58,7 @@ impl<const D: usize> Estimator<D> for UnitaryKalmanFilter<D> {
     }
 }
 
-/// [T] eq. 26, then 27.
+/// \[T\] eq. 26, then 27.
 fn decoupled<const D: usize>(
     update: &Update<D>,
     prior: &BlockMatrix<D>,

@@ -32,7 +32,7 @@ fn information_is_that_of_the_stacked_matrices<const D: usize>() {
     }
 }
 
-/// [L] eq. 41 with `J_t = Abar` in the block of `t`: as if one sensor were all.
+/// \[L\] eq. 41 with `J_t = Abar` in the block of `t`: as if one sensor were all.
 fn as_printed(c: &DMatrix<f64>, a: &DMatrix<f64>) -> DMatrix<f64> {
     let mut moments = c * c.transpose();
     let last = moments.nrows() - 1;
@@ -55,7 +55,7 @@ fn crb_is_the_inverse_of_the_factors<const D: usize>() {
     }
 }
 
-/// [L] eq. 42 (with its last transpose) and 47: `U^T U = I`, so `phi = sqrt 2` times its coordinates.
+/// \[L\] eq. 42 (with its last transpose) and 47: `U^T U = I`, so `phi = sqrt 2` times its coordinates.
 fn unitary_bound_is_that_of_the_paper<const D: usize>() {
     for trial in 0..100 {
         let scene = random::<D>(trial, Weighting::PerPair);

@@ -43,7 +43,7 @@ fn isometry(count: usize) -> DMatrix<f64> {
     })
 }
 
-/// `Abar = W U_M^T (-2 A^T)` with `W^T W = (U_M^T Sigma U_M)^-1`, the variances those of sensor `n` ([L] eq. 7 to 9).
+/// `Abar = W U_M^T (-2 A^T)` with `W^T W = (U_M^T Sigma U_M)^-1`, the variances those of sensor `n` (\[L\] eq. 7 to 9).
 pub fn whitened_anchors<const D: usize>(model: &RangeModel<D>, pose: &Pose<D>, n: usize) -> DMatrix<f64> {
     let anchors = model.anchors().positions();
     let u = isometry(anchors.len());
@@ -59,7 +59,7 @@ pub fn extended<const D: usize>(model: &RangeModel<D>) -> DMatrix<f64> {
     DMatrix::from_fn(D + 1, sensors.len(), |i, n| if i < D { sensors[n][i] } else { 1.0 })
 }
 
-/// The whitened and stacked `H` of [L] eq. 39, every sensor with the variances of the sensor that `whom` names for it.
+/// The whitened and stacked `H` of \[L\] eq. 39, every sensor with the variances of the sensor that `whom` names for it.
 pub fn stacked<const D: usize>(
     model: &RangeModel<D>,
     pose: &Pose<D>,
@@ -84,7 +84,7 @@ pub fn stacked_raw<const D: usize>(model: &RangeModel<D>, pose: &Pose<D>) -> DMa
     })
 }
 
-/// `U` of [L] eq. 47; in the plane its one column for `Q` is `[-q_2; q_1]`.
+/// `U` of \[L\] eq. 47; in the plane its one column for `Q` is `[-q_2; q_1]`.
 pub fn tangent_basis<const D: usize>(pose: &Pose<D>) -> DMatrix<f64> {
     let q = pose.rotation.matrix();
     let angles = D * (D - 1) / 2;

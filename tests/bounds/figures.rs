@@ -14,7 +14,7 @@ use rangelab::model::ranging::{RangeForm, Weighting};
 use crate::reference::reference;
 use crate::scenes::{localization, points, tracking};
 
-/// The recording with its truth drawn anew: noise on the angular velocity of the body ([T] eq. 11) and on the position.
+/// The recording with its truth drawn anew: noise on the angular velocity of the body (\[T\] eq. 11) and on the position.
 fn noisy_trajectory(recording: &Recording<3>, trial: u64) -> Recording<3> {
     let mut random = Pcg64Mcg::seed_from_u64(trial);
     let mut normal = || -> f64 { StandardNormal.sample(&mut random) };

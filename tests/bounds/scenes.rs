@@ -16,7 +16,7 @@ use rangelab::model::topology::Topology;
 
 pub const FORMS: [RangeForm; 2] = [RangeForm::Projected, RangeForm::Raw];
 
-/// A fixed draw of four anchors in a cube of 1 km ([L]) and one of 2 km ([T]).
+/// A fixed draw of four anchors in a cube of 1 km (\[L\]) and one of 2 km (\[T\]).
 pub const LOCALIZATION_ANCHORS: [[f64; 3]; 4] =
     [[364.7, -285.7, -119.4], [-225.2, 312.0, -466.1], [380.9, 59.64, 81.83], [-440.7, 337.0, 147.8]];
 pub const TRACKING_ANCHORS: [[f64; 3]; 4] =
@@ -70,7 +70,7 @@ fn centred<const N: usize>(sensors: [[f64; 3]; N]) -> [[f64; 3]; N] {
     sensors.map(|c| std::array::from_fn(|i| c[i] - mean[i]))
 }
 
-/// [L] Sec. VII: ten sensors along the edges of a pyramid of 5 m.
+/// \[L\] Sec. VII: ten sensors along the edges of a pyramid of 5 m.
 pub fn localization(anchors: &[[f64; 3]], weighting: Weighting) -> Scene<3> {
     let h = 2.5;
     let sensors = centred([
@@ -95,7 +95,7 @@ pub fn localization(anchors: &[[f64; 3]], weighting: Weighting) -> Scene<3> {
     Scene { model: model(anchors, &sensors, RangeNoise::Toa { zeta_db: 60.0 }, weighting), pose }
 }
 
-/// [T] Sec. V: five sensors on the vertices of a pyramid of 1 m.
+/// \[T\] Sec. V: five sensors on the vertices of a pyramid of 1 m.
 pub fn tracking_model(anchors: &[[f64; 3]], weighting: Weighting) -> RangeModel<3> {
     let h = 0.5;
     let sensors = centred([[h, h, 0.0], [-h, h, 0.0], [-h, -h, 0.0], [h, -h, 0.0], [0.0, 0.0, 1.0]]);

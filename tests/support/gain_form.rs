@@ -34,7 +34,7 @@ pub fn variance(noise: &RangeNoise, weighting: Weighting, weight_ranges: &Ranges
     noise.squared_range_variance(squared_range.unwrap())
 }
 
-/// [T] eq. (4) to (8), sensor by sensor, rows of missing ranges deleted.
+/// \[T\] eq. (4) to (8), sensor by sensor, rows of missing ranges deleted.
 pub fn measurements<const D: usize>(
     model: &RangeModel<D>,
     ranges: &Ranges,
@@ -82,20 +82,20 @@ fn stack(size: usize, rows: &[DMatrix<f64>], values: &[DVector<f64>]) -> Measure
     result
 }
 
-/// Estimate and covariance of the plain Kalman filter of [T] Sec. IV-A.
+/// Estimate and covariance of the plain Kalman filter of \[T\] Sec. IV-A.
 pub struct KalmanState {
     pub theta: DVector<f64>,
     pub covariance: DMatrix<f64>,
 }
 
 impl KalmanState {
-    /// [T] eq. (17): `theta <- F theta + u`, `P <- F P F^T + M`, all `D(D+1)` square.
+    /// \[T\] eq. (17): `theta <- F theta + u`, `P <- F P F^T + M`, all `D(D+1)` square.
     pub fn predict(&mut self, transition: &DMatrix<f64>, input: &DVector<f64>, noise: &DMatrix<f64>) {
         self.theta = transition * &self.theta + input;
         self.covariance = transition * &self.covariance * transition.transpose() + noise;
     }
 
-    /// [T] eq. (19) to (22) with the symmetric (Joseph) form of the covariance; returns the normalized innovation squared.
+    /// \[T\] eq. (19) to (22) with the symmetric (Joseph) form of the covariance; returns the normalized innovation squared.
     pub fn update(&mut self, measured: &Measurements) -> f64 {
         let h = &measured.matrix;
         let identity = DMatrix::identity(h.nrows(), h.nrows());

@@ -1,4 +1,4 @@
-//! The UC-KF against brute force on [T] eq. 23, joint and decoupled.
+//! The UC-KF against brute force on \[T\] eq. 23, joint and decoupled.
 
 use nalgebra::{DMatrix, DVector, SMatrix};
 use rangelab::math::block::BlockMatrix;
@@ -22,7 +22,7 @@ crate::in_plane_and_space!(
     the_covariance_is_the_plain_filters,
 );
 
-/// [T] eq. 23 in full: prior and whitened measurements, `D(D+1)` unknowns.
+/// \[T\] eq. 23 in full: prior and whitened measurements, `D(D+1)` unknowns.
 struct Cost {
     precision: DMatrix<f64>,
     prior: DVector<f64>,

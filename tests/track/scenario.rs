@@ -23,7 +23,7 @@ use crate::support::sampling::Sampler;
 pub enum Truth {
     /// A rigid body: rotation noise on SO(D), perturbed on the right.
     Rigid,
-    /// [T] eq. 12 taken at its word: noise on every entry of `Q`, the start drawn from the prior.
+    /// \[T\] eq. 12 taken at its word: noise on every entry of `Q`, the start drawn from the prior.
     Linear,
 }
 
@@ -147,7 +147,7 @@ fn measure<const D: usize>(
     Epoch { motion, ranges: ranges.unwrap(), true_ranges: Some(exact) }
 }
 
-/// `F`, `u` and `M` of [T] eq. 17 as they stand, for `theta` as one long vector.
+/// `F`, `u` and `M` of \[T\] eq. 17 as they stand, for `theta` as one long vector.
 pub fn transition<const D: usize>(
     motion: &Motion<D>,
     process: &ProcessNoise,

@@ -1,4 +1,4 @@
-//! The set-up of [T] Sec. V.
+//! The set-up of \[T\] Sec. V.
 
 use alloc::vec;
 

@@ -122,9 +122,9 @@ pub struct MotionSettings {
     pub velocity: Vec<f64>,
     /// Angular velocity in the world frame, rad/s: 3 numbers, 1 in the plane; zero by default.
     pub angular_velocity: Vec<f64>,
-    /// Standard deviation of the disturbance of the angular velocity about each axis ([T] eq. 11), rad/s.
+    /// Standard deviation of the disturbance of the angular velocity about each axis (\[T\] eq. 11), rad/s.
     pub sigma_omega: f64,
-    /// Standard deviation of the disturbance of each coordinate of the position in a step ([T] eq. 14), m.
+    /// Standard deviation of the disturbance of each coordinate of the position in a step (\[T\] eq. 14), m.
     pub sigma_t: f64,
 }
 
@@ -137,7 +137,7 @@ pub struct InitialSettings {
     pub orientation: Vec<Vec<f64>>,
     /// `t`, m; the origin by default.
     pub position: Vec<f64>,
-    /// Variance of each entry of `[Q | t]`; [T] Sec. V takes 100, the default.
+    /// Variance of each entry of `[Q | t]`; \[T\] Sec. V takes 100, the default.
     pub covariance: f64,
 }
 
