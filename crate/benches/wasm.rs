@@ -1,0 +1,31 @@
+//! The bench compiled to WebAssembly: plain exports that `track.mjs` calls from Node.
+#![allow(unsafe_code, reason = "an exported name is `unsafe(no_mangle)`; there is one of each here")]
+
+#[allow(dead_code, reason = "the table is printed natively")]
+mod cases;
+
+use std::cell::RefCell;
+
+use cases::{CASES, Running};
+
+thread_local! {
+    static RUNNING: RefCell<Option<Running>> = const { RefCell::new(None) };
+}
+
+/// Number of cases.
+#[unsafe(no_mangle)]
+pub extern "C" fn cases() -> usize {
+    CASES.len()
+}
+
+/// Makes a case the one that runs.
+#[unsafe(no_mangle)]
+pub extern "C" fn start(case: usize) {
+    RUNNING.set(Some(Running::new(&CASES[case])));
+}
+
+/// Makes steps of the case that runs.
+#[unsafe(no_mangle)]
+pub extern "C" fn steps(count: usize) -> f64 {
+    RUNNING.with_borrow_mut(|running| running.as_mut().map_or(f64::NAN, |running| running.steps(count)))
+}
