@@ -169,6 +169,18 @@ impl<const D: usize> BlockMatrix<D> {
         }
     }
 
+    /// The product of the blocks of `Q` alone with `vec(q)`.
+    #[inline]
+    pub fn times_orientation(&self, q: &SMatrix<f64, D, D>) -> SMatrix<f64, D, D> {
+        let mut sums = SMatrix::<f64, D, D>::zeros();
+        for (row, &x) in self.rows.iter().zip(q.iter()) {
+            for (sum, &a) in sums.iter_mut().zip(row) {
+                *sum += a * x;
+            }
+        }
+        sums
+    }
+
     /// `x^T A x` for `x = vec(theta)`.
     #[inline]
     pub fn quadratic_form(&self, theta: &Theta<D>) -> f64 {

@@ -158,6 +158,13 @@ impl<const D: usize> Rotation<D> {
         Self(polar)
     }
 
+    /// The rotation nearest to one that products have moved off the manifold by rounding, `R (3 I - R^T R)/2`: the square
+    /// of the defect is left.
+    #[must_use]
+    pub fn renormalized(&self) -> Self {
+        Self(self.0 * (SMatrix::<f64, D, D>::identity() * 1.5 - self.0.transpose() * self.0 * 0.5))
+    }
+
     /// `d(R exp(hat(phi)))/d phi_i` at `phi = 0`: the D x D matrix `R E_i`, `E_i = hat(e_i)`.
     pub fn tangent(&self, i: usize) -> SMatrix<f64, D, D> {
         let mut phi = [0.0; MAX_ANGLES];

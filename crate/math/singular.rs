@@ -21,6 +21,10 @@ pub struct Singular<const D: usize> {
 
 const MAX_SWEEPS: usize = 40;
 
+/// Cosine below which two columns are orthogonal: what rounding leaves of the sums that make it. Half as much would send
+/// nearly orthogonal matrices through sweep after sweep.
+const ORTHOGONAL: f64 = 4.0 * f64::EPSILON;
+
 /// Decomposes a finite matrix.
 ///
 /// ```
@@ -70,7 +74,7 @@ fn orthogonalize<const D: usize>(
     let alpha = a.column(p).norm_squared();
     let beta = a.column(q).norm_squared();
     let gamma = a.column(p).dot(&a.column(q));
-    if gamma == 0.0 || gamma.abs() <= f64::EPSILON * sqrt(alpha * beta) {
+    if gamma == 0.0 || gamma.abs() <= ORTHOGONAL * sqrt(alpha * beta) {
         return false;
     }
     let zeta = (beta - alpha) / (2.0 * gamma);

@@ -6,7 +6,7 @@ use nalgebra::SVector;
 
 use super::random::Stream;
 use crate::math::pose::Pose;
-use crate::math::rotation::{Angles, Manifold, Rotation, rotation_angles};
+use crate::math::rotation::{Angles, rotation_angles};
 use crate::model::motion::Motion;
 use crate::model::scenario::{MotionSettings, Setup};
 
@@ -46,7 +46,7 @@ fn disturbed_step<const D: usize>(
     let moved = Motion { angular_velocity, ..*motion };
     let next = moved.predict_pose(pose, &moved.rotation());
     Pose {
-        rotation: Rotation::project(next.rotation.matrix(), Manifold::So),
+        rotation: next.rotation.renormalized(),
         position: next.position + SVector::from_fn(|_, _| disturbance.sigma_t * stream.normal()),
     }
 }

@@ -137,8 +137,8 @@ impl<const D: usize> Estimator<D> for ErrorStateKalmanFilter<D> {
         let precision = predicted.inverse().map_err(not_positive)?;
         let start = self.evaluate(epoch, &prior, &precision, prior)?;
         let best = self.minimize(epoch, &prior, &precision, start)?;
-        // Repeated products of rotations drift by an ulp a step; the projection keeps the state a rotation for ever.
-        let rotation = Rotation::project(best.pose.rotation.matrix(), Manifold::So);
+        // Repeated products of rotations drift by an ulp a step; this keeps the state a rotation for ever.
+        let rotation = best.pose.rotation.renormalized();
         self.pose = Pose { rotation, position: best.pose.position };
         self.covariance = best.covariance;
         let posterior = Theta::from(self.pose);

@@ -76,7 +76,7 @@ impl<const D: usize> KalmanFilter<D> {
         let update = &mut self.update;
         update.prior = epoch.motion.predict_theta(&self.theta, &rotation);
         require_finite(&update.prior)?;
-        update.covariance = self.covariance;
+        update.covariance.set(&self.covariance);
         update.covariance.predict(rotation.matrix(), &self.process);
         self.model.fill_normal_equations(
             &epoch.ranges,
@@ -104,12 +104,14 @@ impl<const D: usize> KalmanFilter<D> {
     }
 
     /// Makes the last update the state, with `theta` as the estimate that is fed back.
+    #[inline]
     pub(super) fn keep(&mut self, theta: Theta<D>) {
         self.theta = theta;
-        self.covariance = self.update.covariance;
+        self.covariance.set(&self.update.covariance);
     }
 
     /// The record of the last update, with what is reported.
+    #[inline]
     pub(super) fn record(&self, posterior: Theta<D>, uncertainty: Uncertainty<D>, event: bool) -> Step<D> {
         Step {
             prior: self.update.prior,

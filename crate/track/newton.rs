@@ -2,12 +2,11 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::projection::{cost, difference};
+use super::projection::cost;
 use crate::error::{Error, Result};
 use crate::math::block::BlockMatrix;
 use crate::math::linalg::spd_inverse;
-use crate::math::pose::Theta;
-use crate::math::rotation::{MAX_ANGLES, Manifold, Rotation};
+use crate::math::rotation::{MAX_ANGLES, Rotation};
 use crate::math::singular::singular;
 
 /// Ill-conditioned metrics make narrow curved valleys, along which steps are short: hundreds of steps, hardly ever.
@@ -44,12 +43,12 @@ pub(super) fn newton<const D: usize>(
         let size = step.norm();
         let local = convex && (size < LOCAL_STEP || fall <= noise);
         if size <= f64::EPSILON || (local && size >= 0.5 * last) {
-            return Ok(Rotation::project(rotation.matrix(), Manifold::So));
+            return Ok(rotation.renormalized());
         }
         let next =
             if local { Some(moved(&rotation, &step)) } else { descend(&rotation, &step, noise, q, metric) };
         let Some(next) = next else {
-            return Ok(Rotation::project(rotation.matrix(), Manifold::So));
+            return Ok(rotation.renormalized());
         };
         (rotation, last) = (next, size);
     }
@@ -76,19 +75,18 @@ fn newton_step<const D: usize>(
     q: &SMatrix<f64, D, D>,
     metric: &BlockMatrix<D>,
 ) -> Step {
-    let residual = metric.times(&difference(rotation, q));
-    let tangents: [Theta<D>; MAX_ANGLES] =
-        core::array::from_fn(|i| Theta { orientation: rotation.tangent(i), position: SVector::zeros() });
-    let gradient = Angles3::from_fn(|i, _| tangents[i].orientation.dot(&residual.orientation));
+    let residual = metric.times_orientation(&(rotation.matrix() - q));
+    let tangents: [SMatrix<f64, D, D>; MAX_ANGLES] = core::array::from_fn(|i| rotation.tangent(i));
+    let gradient = Angles3::from_fn(|i, _| tangents[i].dot(&residual));
     let mut hessian = Hessian::zeros();
     for i in 0..MAX_ANGLES {
-        let image = metric.times(&tangents[i]);
+        let image = metric.times_orientation(&tangents[i]);
         for j in 0..MAX_ANGLES {
-            hessian[(j, i)] = tangents[j].orientation.dot(&image.orientation);
+            hessian[(j, i)] = tangents[j].dot(&image);
         }
     }
     // <R (E_i E_j + E_j E_i)/2, W (R - Q_hat)>: with E_i = hat(e_i), E_i E_j = e_j e_i^T - delta_ij I.
-    let curvature = rotation.matrix().transpose() * residual.orientation;
+    let curvature = rotation.matrix().transpose() * residual;
     let trace = curvature.trace();
     for i in 0..MAX_ANGLES {
         for j in 0..MAX_ANGLES {
@@ -96,7 +94,7 @@ fn newton_step<const D: usize>(
         }
         hessian[(i, i)] -= trace;
     }
-    let noise = ROUNDING * residual.orientation.norm();
+    let noise = ROUNDING * residual.norm();
     let (step, convex) = match spd_inverse(&hessian) {
         Ok(inverse) => (-(inverse * gradient), true),
         Err(_) => (indefinite_step(&hessian, &gradient, noise), false),

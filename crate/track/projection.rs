@@ -6,7 +6,6 @@ use super::newton::newton;
 use super::secular::plane_minimum;
 use crate::error::Result;
 use crate::math::block::BlockMatrix;
-use crate::math::pose::Theta;
 use crate::math::rotation::{Manifold, Rotation};
 
 /// `arg min (q - q_hat)^T W (q - q_hat)` over the manifold, `q = vec(Q)`.
@@ -50,15 +49,12 @@ pub(super) fn cost<const D: usize>(
     q: &SMatrix<f64, D, D>,
     metric: &BlockMatrix<D>,
 ) -> f64 {
-    metric.quadratic_form(&difference(rotation, q))
-}
-
-pub(super) fn difference<const D: usize>(rotation: &Rotation<D>, q: &SMatrix<f64, D, D>) -> Theta<D> {
-    Theta { orientation: rotation.matrix() - q, position: nalgebra::SVector::zeros() }
+    let difference = rotation.matrix() - q;
+    difference.dot(&metric.times_orientation(&difference))
 }
 
 fn minimum<const D: usize>(q: &SMatrix<f64, D, D>, metric: &BlockMatrix<D>) -> Result<Rotation<D>> {
-    let weighted = metric.times(&Theta { orientation: *q, position: nalgebra::SVector::zeros() }).orientation;
+    let weighted = metric.times_orientation(q);
     if D == 2 {
         return Ok(plane_minimum(metric, &weighted));
     }

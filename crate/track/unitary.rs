@@ -47,8 +47,8 @@ impl<const D: usize> Estimator<D> for UnitaryKalmanFilter<D> {
     fn step(&mut self, epoch: &Epoch<D>) -> Result<Step<D>> {
         let prior = self.decoupled.then(|| self.filter.predicted_covariance(epoch));
         let update = self.filter.update(epoch)?;
-        let posterior = match prior {
-            Some(Covariance::Full(prior)) => decoupled(update, &prior, self.manifold)?,
+        let posterior = match (prior, &update.covariance) {
+            (Some(prior), Covariance::Full(_)) => decoupled(update, &prior.to_blocks(), self.manifold)?,
             // With C 1 = 0 and independent columns the two forms are one.
             _ => project_jointly(&update.theta, &update.covariance, self.manifold)?,
         };
