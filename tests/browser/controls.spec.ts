@@ -74,7 +74,7 @@ test("every preset opens, and Reset brings one back", async ({ page }) => {
   for (const name of await chooser.locator("option").allInnerTexts()) {
     await chooser.selectOption(name);
     if (name !== (await chooser.locator("option").first().innerText()))
-      await expect(lab.status).toContainText(`Preset ${name} opened`);
+      await expect(lab.status).toContainText(`Preset “${name}” opened`);
     await expect(lab.alert).toBeEmpty();
     expect((await lab.bound())[0]).toMatch(/^[\d.e−]+$/);
   }

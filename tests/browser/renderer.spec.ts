@@ -40,15 +40,15 @@ for (const backend of backends) {
     page,
   }) => {
     test.setTimeout(180_000);
-    // Labels lie over the canvas; they are no evidence of drawing.
     const lab = await Lab.open(page, `./?renderer=${backend}&theme=light`);
     await expect(lab.scene).toHaveAttribute("data-backend", backend);
+    readouts[backend] = await lab.readout();
+    // What lies over the canvas is no evidence of drawing.
     await page.addStyleTag({
       content: ".scene > :not(.surface), svg.labels { visibility: hidden }",
     });
     await expect.poll(() => inked(lab)).toBeGreaterThan(0.005);
     shares[backend] = await inked(lab);
-    readouts[backend] = await lab.readout();
     const before = await lab.surface.screenshot();
     await lab.drag(2, 60, -40);
     await expect(lab.status).toContainText("Anchor 2 moved");

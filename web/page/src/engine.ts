@@ -4,24 +4,15 @@
  */
 import initEstimators, * as estimators from "./wasm/rangelab/rangelab_wasm.js";
 import type { Scene } from "./wasm/scene-webgpu/rangelab_scene.js";
+import type { Preset } from "./generated/Preset";
+import type { Problem } from "./generated/Problem";
 import type { BoundRun, EstimatorRun, Run } from "./run";
 import type { Scenario } from "./scenario";
 
 export type WasmScene = Scene;
 
-export interface PresetEntry {
-  name: string;
-  title: string;
-  summary: string;
-}
-
-/** One thing that is wrong with a scenario. */
-export interface Problem {
-  path: string;
-  value: string;
-  limit: string;
-  message: string;
-}
+/** One thing that is wrong with a scenario, and its sentence. */
+export type Complaint = Problem & { message: string };
 
 const TRAPPED =
   "The engine stopped at an unexpected place and cannot go on: reload the page. The scenario is kept in the address.";
@@ -30,7 +21,7 @@ export async function loadEngine(): Promise<void> {
   await initEstimators();
 }
 
-export function presets(): PresetEntry[] {
+export function presets(): Preset[] {
   return JSON.parse(estimators.presets());
 }
 
@@ -38,7 +29,7 @@ export function preset(name: string): Scenario {
   return JSON.parse(estimators.preset(name));
 }
 
-export function validate(scenario: unknown): Problem[] {
+export function validate(scenario: unknown): Complaint[] {
   return JSON.parse(guarded(() => estimators.validate(JSON.stringify(scenario))));
 }
 

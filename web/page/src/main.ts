@@ -28,12 +28,12 @@ async function start(): Promise<void> {
 
 /** The scenario of the address; where there is none, or a bad one, the first preset. */
 async function openSession(): Promise<Session> {
-  const first = () => new Session(preset(FIRST_PRESET), trackLab.describe);
-  if (location.hash.length <= 1) return first();
+  const first = preset(FIRST_PRESET);
+  if (location.hash.length <= 1) return new Session(first, trackLab.describe);
   try {
-    return new Session(await readLink(location.hash), trackLab.describe);
+    return new Session(await readLink(location.hash, first), trackLab.describe);
   } catch (error) {
-    const session = first();
+    const session = new Session(first, trackLab.describe);
     session.refusal = `${sentenceOf(error)} The default scene is shown instead.`;
     return session;
   }

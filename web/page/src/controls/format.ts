@@ -5,16 +5,13 @@ export function formatNumber(value: number): string {
   return Number(value.toPrecision(6)).toString().replace("-", MINUS);
 }
 
-/** Two significant digits at least and a fixed width for the usual sizes: for numbers that change while one looks. */
+/** Three significant digits: for numbers that change while one looks. */
 export function formatReading(value: number | null): string {
   if (value === null || !Number.isFinite(value)) return "–";
   const size = Math.abs(value);
-  if (size >= 1e5) return value.toExponential(1).replace("e+", "e");
-  if (size >= 100) return value.toFixed(0);
-  if (size >= 10) return value.toFixed(1);
-  if (size >= 1) return value.toFixed(2);
-  if (size >= 1e-3 || size === 0) return value.toFixed(4);
-  return value.toExponential(1).replace("-", MINUS);
+  if (size === 0) return "0";
+  if (size >= 1e6 || size < 1e-4) return value.toExponential(1).replace("e+", "e").replaceAll("-", MINUS);
+  return (size >= 100 ? value.toFixed(0) : value.toPrecision(3)).replace("-", MINUS);
 }
 
 /** What was typed, with either minus and either decimal sign; null where it is no finite number. */

@@ -13,6 +13,7 @@ export function plotOptions(
   spec: () => PlotSpec,
   palette: Palette,
   size: { width: number; height: number },
+  ondraw: () => void,
 ): uPlot.Options {
   return {
     ...size,
@@ -20,12 +21,9 @@ export function plotOptions(
     cursor: { drag: { x: false, y: false }, y: false, points: { show: false }, sync: { key: "time" } },
     padding: [8, palette.fontSize, 0, 0],
     scales: { x: { time: false }, y: { distr: 3, range: () => logRange(spec()) } },
-    axes: [
-      axis(palette, "time in s"),
-      { ...axis(palette, ""), size: 4.2 * palette.fontSize, filter: roundSplits, values: tickLabels },
-    ],
+    axes: [axis(palette, "time in s"), valueAxis(palette)],
     series: [{}, ...spec().lines.map((line) => series(line, palette))],
-    hooks: { draw: [(plot) => drawExtras(plot, spec(), palette)] },
+    hooks: { draw: [(plot) => drawExtras(plot, spec(), palette), ondraw] },
   };
 }
 
@@ -50,6 +48,18 @@ function axis(palette: Palette, label: string): uPlot.Axis {
     ticks: { ...line, size: 4 },
     gap: 4,
     size: 1.7 * palette.fontSize,
+  };
+}
+
+function valueAxis(palette: Palette): uPlot.Axis {
+  const plain = axis(palette, "");
+  return {
+    ...plain,
+    size: 4.2 * palette.fontSize,
+    filter: roundSplits,
+    values: tickLabels,
+    grid: { ...plain.grid, filter: roundSplits },
+    ticks: { ...plain.ticks, filter: roundSplits },
   };
 }
 
@@ -101,16 +111,17 @@ function drawMarks(plot: uPlot, spec: PlotSpec, line: PlotLine, index: number, p
     const at = { x: plot.valToPos(spec.times[step], "x", true), y: plot.valToPos(value, "y", true) };
     // Estimators start their marks at different steps: on shared values they alternate instead of hiding each other.
     if ((step + index) % stride === 0) paintMark(plot.ctx, at, radius, SHAPES[line.mark ?? "disc"], color);
-    if (line.events.includes(step)) paintEvent(plot, at.x, palette, color);
+    if (line.events.includes(step)) paintEvent(plot, at.x, spec.times.length, palette, color);
   });
 }
 
-/** A tick from the floor of the plot at a step where the estimate was projected. */
-function paintEvent(plot: uPlot, x: number, palette: Palette, color: string): void {
+/** A tick from the floor of the plot at a step where the estimate was projected; neighbours stay apart. */
+function paintEvent(plot: uPlot, x: number, steps: number, palette: Palette, color: string): void {
   const bottom = plot.bbox.top + plot.bbox.height;
+  const size = 4 * palette.weight * devicePixelRatio;
+  const width = Math.max(1, Math.min(size, (0.6 * plot.bbox.width) / steps));
   plot.ctx.fillStyle = color;
-  const width = 4 * palette.weight * devicePixelRatio;
-  plot.ctx.fillRect(x - width / 2, bottom - 3 * width, width, 3 * width);
+  plot.ctx.fillRect(x - width / 2, bottom - 3 * size, width, 3 * size);
 }
 
 function drawThreshold(plot: uPlot, threshold: { value: number; label: string }, palette: Palette): void {

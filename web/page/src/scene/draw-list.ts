@@ -83,7 +83,7 @@ export class DrawList {
 
   point(centre: Vec3, radius: number, color: Color, shape: Shape): void {
     if (!drawable(centre)) return;
-    this.#points.push(...centre, radius * this.weight * this.pixelRatio, ...color, SHAPES[shape]);
+    this.#points.push(...centre, radius * Math.sqrt(this.weight) * this.pixelRatio, ...color, SHAPES[shape]);
   }
 
   ellipsoid(centre: Vec3, axes: readonly [Vec3, Vec3, Vec3], color: Color): void {

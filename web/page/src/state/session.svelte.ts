@@ -3,7 +3,7 @@ import type { Run } from "../run";
 import type { Scenario } from "../scenario";
 import { scheduleCompute } from "./frames";
 import { History } from "./history";
-import { decodeLink, encodeLink, LinkError } from "./link";
+import { decodeLink, encodeLink, firstMissing, LinkError } from "./link";
 
 interface Entry {
   scenario: Scenario;
@@ -89,7 +89,7 @@ export class Session {
   /** Opens the scenario of a link; a bad one is told in a sentence and changes nothing. */
   async openLink(hash: string): Promise<boolean> {
     try {
-      const scenario = await readLink(hash);
+      const scenario = await readLink(hash, this.scenario);
       return this.open("Scenario opened from the link", scenario);
     } catch (error) {
       this.refusal = `${sentenceOf(error)} The scene shown is not the link's.`;
@@ -100,6 +100,7 @@ export class Session {
   #travel(what: string): void {
     const anchors = this.#history.present.scenario.anchors.length;
     if (this.selectedAnchor !== null && this.selectedAnchor >= anchors) this.selectedAnchor = null;
+    this.refusal = null;
     this.#show();
     this.#announce(what);
   }
@@ -140,11 +141,13 @@ export class Session {
 }
 
 /** The scenario a link carries; throws with a sentence where the link or the scenario is bad. */
-export async function readLink(hash: string): Promise<Scenario> {
+export async function readLink(hash: string, template: Scenario): Promise<Scenario> {
   const scenario = await decodeLink(hash);
-  const problems = engine.validate(scenario);
-  if (problems.length > 0)
-    throw new LinkError(`This link holds a scenario that does not work: ${problems[0].message}`);
+  const [problem] = engine.validate(scenario);
+  if (problem) throw new LinkError(`This link holds a scenario that does not work: ${problem.message}`);
+  const missing = firstMissing(template, scenario);
+  if (missing)
+    throw new LinkError(`This link leaves out “${missing}”; the page reads complete scenarios only.`);
   return scenario as Scenario;
 }
 

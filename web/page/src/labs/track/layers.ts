@@ -7,6 +7,7 @@ import { ellipsoidAxes } from "../../scene/ellipsoid";
 import { add, lift, scale, sub, transform, type Vec3 } from "../../scene/geometry";
 import { type Hull, hullOf } from "../../scene/hull";
 import { MARKS } from "../../theme/palette";
+import { shownBounds } from "./plots";
 
 /** More lines than this hide the scene: then each anchor gets one line to the body. */
 const MOST_RANGE_LINES = 200;
@@ -104,7 +105,7 @@ export const uncertainty: Layer = ({ run, step, palette, frame }, out) => {
     const centre = drawnPosition(run, estimator, step, frame.magnification);
     draw(centre, estimator.positionCovariances, palette.rgba(estimator.name, 0.1));
   }
-  const [bound] = run.bounds;
+  const [bound] = shownBounds(run);
   if (bound)
     draw(drawnPosition(run, run.truth, step, 1), bound.positionCovariances, palette.rgba("bound", 0.22));
 };

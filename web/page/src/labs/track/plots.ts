@@ -4,12 +4,28 @@ import { type BoundRun, type EstimatorRun, type Run, runsAt } from "../../run";
 import type { Scenario } from "../../scenario";
 import { MARKS } from "../../theme/palette";
 
+/** The bounds that are shown, most telling first; the unprojected one belongs to the estimator on unprojected ranges. */
+const SHOWN_BOUNDS = ["posterior_crb", "posterior_crb_raw", "linear_posterior_crb"];
 const NO_EVENTS: readonly number[] = [];
-/** The intrinsic bound, then the linear one: told apart by their dashes. */
-export const BOUND_DASHES: readonly (readonly number[])[] = [
-  [7, 4],
-  [2, 4],
-];
+/** Bounds share a colour and are told apart by their dashes; the engine's labels are long, these fit a table. */
+const BOUND_LOOKS: Record<string, { short: string; dash: readonly number[] }> = {
+  posterior_crb: { short: "posterior CRB", dash: [7, 4] },
+  posterior_crb_raw: { short: "posterior CRB, raw", dash: [10, 3, 2, 3] },
+  linear_posterior_crb: { short: "linear posterior CRB", dash: [2, 4] },
+};
+
+export function shownBounds(run: Run): BoundRun[] {
+  const raw = run.estimators.some((estimator) => estimator.name === "eskf-raw");
+  const names = SHOWN_BOUNDS.filter((name) => raw || name !== "posterior_crb_raw");
+  return names.flatMap((name) => run.bounds.filter((bound) => bound.name === name));
+}
+
+export function boundLook(bound: { name: string; label: string }): {
+  short: string;
+  dash: readonly number[];
+} {
+  return BOUND_LOOKS[bound.name] ?? { short: bound.label, dash: [7, 4] };
+}
 
 export function plots(scenario: Scenario, run: Run): PlotSpec[] {
   const common = { times: run.times };
@@ -76,12 +92,12 @@ export function eventSteps(estimator: EstimatorRun): number[] {
 }
 
 function boundLines(run: Run, pick: (bound: BoundRun) => Float64Array, factor: number): PlotLine[] {
-  return run.bounds.map((bound, index) => ({
+  return shownBounds(run).map((bound) => ({
     name: bound.name,
     label: bound.label,
     token: "bound",
     mark: null,
-    dash: BOUND_DASHES[index % BOUND_DASHES.length],
+    dash: boundLook(bound).dash,
     values: Array.from(pick(bound), (value) => value * factor),
     events: NO_EVENTS,
   }));

@@ -1,6 +1,6 @@
 import { DEGREES_PER_RADIAN, formatReading } from "../../controls/format";
 import { type Run, runsAt } from "../../run";
-import { eventSteps } from "./plots";
+import { boundLook, eventSteps, shownBounds } from "./plots";
 
 /** What the run shows at its last step, in one or two sentences. */
 export function describe(run: Run): string {
@@ -15,10 +15,10 @@ export function describe(run: Run): string {
 }
 
 function boundClause(run: Run, step: number): string {
-  const [bound] = run.bounds;
+  const [bound] = shownBounds(run);
   if (!bound) return "";
   const degrees = formatReading(bound.orientation[step] * DEGREES_PER_RADIAN);
-  return ` (${bound.label} ${degrees}° and ${formatReading(bound.position[step])} m)`;
+  return ` (${boundLook(bound).short} ${degrees}° and ${formatReading(bound.position[step])} m)`;
 }
 
 function eventSentence(run: Run): string {
