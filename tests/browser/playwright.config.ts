@@ -15,7 +15,8 @@ export const chromiumArguments = [
   "--ignore-gpu-blocklist",
 ];
 
-const port = 4183;
+/** Another run on the same machine takes another one: PAGE_PORT=4300. */
+const port = Number(process.env["PAGE_PORT"] ?? 4183);
 
 export default defineConfig({
   testDir: ".",

@@ -80,17 +80,19 @@ export const estimates: Layer = (input, out) => {
   const { run, step, palette, frame, scenario } = input;
   if (!run) return;
   const { edges } = hullOfSensors(scenario.sensors);
-  for (const estimator of run.estimators) {
+  run.estimators.forEach((estimator, index) => {
+    // Estimates that agree lie on each other: earlier ones are drawn wider and show as rims.
+    const rim = 0.5 * (run.estimators.length - 1 - index);
     const end = estimator.stopped ? estimator.stopped.step : run.steps;
     const path = pathOf(run, estimator, frame.magnification, end);
+    const color = palette.rgba(estimator.name);
     out.polyline(path, { width: 1.25, color: palette.rgba(estimator.name, 0.3) });
-    out.polyline(path.slice(0, step + 1), { width: 2, color: palette.rgba(estimator.name) });
-    if (!runsAt(estimator, step)) continue;
+    out.polyline(path.slice(0, step + 1), { width: 1.5 + rim, color });
+    if (!runsAt(estimator, step)) return;
     const sensors = sensorPoints(input, run, estimator, step);
-    const style = { width: 1.75, color: palette.rgba(estimator.name) };
-    for (const [i, j] of edges) out.line(sensors[i], sensors[j], style);
-    out.point(path[step], 5.5, palette.rgba(estimator.name), MARKS[estimator.name] ?? "disc");
-  }
+    for (const [i, j] of edges) out.line(sensors[i], sensors[j], { width: 1.5 + rim, color });
+    out.point(path[step], 4.5 + 2 * rim, color, MARKS[estimator.name] ?? "disc");
+  });
 };
 
 /** The 95 % ellipsoids of the position: what each estimator claims, and the bound as a full one. */
