@@ -3,6 +3,7 @@
 pub mod block;
 pub mod float;
 pub mod linalg;
+mod polar;
 pub mod pose;
 pub mod rotation;
 pub mod singular;

@@ -5,6 +5,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::float;
+use super::polar::polar_factor;
 use super::singular::singular;
 use crate::error::{Error, Result};
 
@@ -146,6 +147,9 @@ impl<const D: usize> Rotation<D> {
     /// The nearest element of the manifold in the Frobenius norm (\[T\] eq. 28): the polar factor `U V^T`, on
     /// [`Manifold::So`] with the sign of the least singular direction turned where it would mirror.
     pub fn project(matrix: &SMatrix<f64, D, D>, manifold: Manifold) -> Self {
+        if let Some(polar) = polar_factor(matrix) {
+            return Self(polar);
+        }
         let s = singular(matrix);
         let mut left = s.left;
         let polar = left * s.right.transpose();
