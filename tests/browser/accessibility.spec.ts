@@ -7,39 +7,23 @@ const sizes = [
   { width: 1024, height: 768 },
   { width: 390, height: 844 },
 ];
-const tags = [
-  "wcag2a",
-  "wcag2aa",
-  "wcag21a",
-  "wcag21aa",
-  "wcag22aa",
-  "best-practice",
-];
+const tags = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"];
 
 for (const theme of ["light", "dark", "projector"]) {
   for (const size of sizes) {
-    test(`axe finds nothing: ${theme}, ${size.width} x ${size.height}`, async ({
-      page,
-    }) => {
+    test(`axe finds nothing: ${theme}, ${size.width} x ${size.height}`, async ({ page }) => {
       await page.setViewportSize(size);
       const lab = await Lab.open(page, `./?renderer=canvas2d&theme=${theme}`);
       const violations = async () =>
-        (
-          await new AxeBuilder({ page }).withTags(tags).analyze()
-        ).violations.map(
-          ({ id, nodes }) =>
-            `${id}: ${nodes.map((node) => node.target.join(" ")).join(", ")}`,
+        (await new AxeBuilder({ page }).withTags(tags).analyze()).violations.map(
+          ({ id, nodes }) => `${id}: ${nodes.map((node) => node.target.join(" ")).join(", ")}`,
         );
       expect(await violations()).toEqual([]);
       const at = await lab.anchorPixel(2);
       await page.mouse.click(at.x, at.y);
-      await expect(
-        page.getByRole("group", { name: "Selected anchor" }),
-      ).toBeVisible();
-      if (size.width < 700)
-        await page.getByRole("button", { name: "Controls" }).click();
-      for (const summary of await page.locator("aside summary").all())
-        await summary.click();
+      await expect(page.getByRole("group", { name: "Selected anchor" })).toBeVisible();
+      if (size.width < 700) await page.getByRole("button", { name: "Controls" }).click();
+      for (const summary of await page.locator("aside summary").all()) await summary.click();
       await lab.type("Noise level σ", "-1");
       await expect(lab.alert).not.toBeEmpty();
       expect(await violations()).toEqual([]);
@@ -52,9 +36,7 @@ test("axe finds nothing in the dialogs", async ({ page }) => {
   for (const name of ["Help", "Orientation error: data table"]) {
     await page.getByRole("button", { name }).click();
     await expect(page.getByRole("dialog")).toBeVisible();
-    const { violations } = await new AxeBuilder({ page })
-      .withTags(tags)
-      .analyze();
+    const { violations } = await new AxeBuilder({ page }).withTags(tags).analyze();
     expect(violations.map((violation) => violation.id)).toEqual([]);
     await page.keyboard.press("Escape");
   }

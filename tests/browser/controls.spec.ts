@@ -1,14 +1,9 @@
 import { expect, test } from "@playwright/test";
 import { Lab } from "./lab";
 
-test("another seed is another run, the old one brings the old numbers back", async ({
-  page,
-}) => {
+test("another seed is another run, the old one brings the old numbers back", async ({ page }) => {
   const lab = await Lab.open(page);
-  const [seed, before] = [
-    await lab.field("Seed").inputValue(),
-    await lab.readout(),
-  ];
+  const [seed, before] = [await lab.field("Seed").inputValue(), await lab.readout()];
   await lab.type("Seed", "77");
   await expect.poll(() => lab.readout()).not.toBe(before);
   await lab.type("Seed", seed);
@@ -20,9 +15,7 @@ test("more noise raises bound and errors", async ({ page }) => {
   const [bound] = await lab.bound();
   const level = Number(await lab.field("Noise level σ").inputValue());
   await lab.type("Noise level σ", String(level * 10));
-  await expect
-    .poll(async () => Number((await lab.bound())[0]))
-    .toBeGreaterThan(2 * Number(bound));
+  await expect.poll(async () => Number((await lab.bound())[0])).toBeGreaterThan(2 * Number(bound));
 });
 
 test("the threshold decides how often ET-KF projects", async ({ page }) => {
@@ -38,10 +31,7 @@ test("the threshold decides how often ET-KF projects", async ({ page }) => {
 
 test("estimators are switched off and on", async ({ page }) => {
   const lab = await Lab.open(page);
-  const [kf, uckf] = [
-    page.locator('[data-estimator="kf"]'),
-    await lab.errors("uc-kf"),
-  ];
+  const [kf, uckf] = [page.locator('[data-estimator="kf"]'), await lab.errors("uc-kf")];
   await page.getByRole("checkbox", { name: "KF Kalman filter" }).uncheck();
   await expect(kf).toHaveCount(0);
   expect(await lab.errors("uc-kf")).toEqual(uckf);
@@ -52,9 +42,7 @@ test("estimators are switched off and on", async ({ page }) => {
 test("a slider in motion is one edit", async ({ page }) => {
   const lab = await Lab.open(page);
   const before = await lab.readout();
-  const box = await page
-    .getByRole("slider", { name: "Noise level σ, slider" })
-    .boundingBox();
+  const box = await page.getByRole("slider", { name: "Noise level σ, slider" }).boundingBox();
   if (!box) throw new Error("no slider");
   await page.mouse.move(box.x + box.width * 0.4, box.y + box.height / 2);
   await page.mouse.down();
@@ -87,9 +75,7 @@ test("every preset opens, and Reset brings one back", async ({ page }) => {
 
 test("a plot has its numbers as a table", async ({ page }) => {
   const lab = await Lab.open(page);
-  await page
-    .getByRole("button", { name: "Orientation error: data table" })
-    .click();
+  await page.getByRole("button", { name: "Orientation error: data table" }).click();
   const dialog = page.getByRole("dialog");
   const rows = dialog.locator("tbody tr");
   await expect(rows).toHaveCount(Number(await lab.step.innerText()));

@@ -1,15 +1,9 @@
 import { expect, test } from "@playwright/test";
 import { Lab } from "./lab";
 
-test("dragging an anchor moves tracks, errors and bounds while the button is down", async ({
-  page,
-}) => {
+test("dragging an anchor moves tracks, errors and bounds while the button is down", async ({ page }) => {
   const lab = await Lab.open(page);
-  const [errors, bound, anchor] = [
-    await lab.errors("uc-kf"),
-    await lab.bound(),
-    await lab.anchor(2),
-  ];
+  const [errors, bound, anchor] = [await lab.errors("uc-kf"), await lab.bound(), await lab.anchor(2)];
   const before = await lab.surface.screenshot();
   const plotBefore = await page.locator(".plots figure").first().screenshot();
 
@@ -21,21 +15,14 @@ test("dragging an anchor moves tracks, errors and bounds while the button is dow
   await expect.poll(() => lab.errors("uc-kf")).not.toEqual(errors);
   await expect.poll(() => lab.bound()).not.toEqual(bound);
   expect((await lab.surface.screenshot()).equals(before)).toBe(false);
-  expect(
-    (await page.locator(".plots figure").first().screenshot()).equals(
-      plotBefore,
-    ),
-  ).toBe(false);
+  expect((await page.locator(".plots figure").first().screenshot()).equals(plotBefore)).toBe(false);
   await page.mouse.up();
   await expect(lab.status).toContainText("Anchor 2 moved to");
 });
 
-test("a drag in the plane keeps the height, with Shift it changes only the height", async ({
-  page,
-}) => {
+test("a drag in the plane keeps the height, with Shift it changes only the height", async ({ page }) => {
   const lab = await Lab.open(page);
-  const coordinates = async () =>
-    (await lab.anchor(2)).match(/\((.*)\)/)?.[1].split(", ") ?? [];
+  const coordinates = async () => (await lab.anchor(2)).match(/\((.*)\)/)?.[1].split(", ") ?? [];
   const start = await coordinates();
   await lab.drag(2, 40, -30);
   const level = await coordinates();

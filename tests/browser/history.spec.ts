@@ -1,9 +1,7 @@
 import { expect, test } from "@playwright/test";
 import { Lab } from "./lab";
 
-test("undo and redo walk through every kind of edit; a drag is one", async ({
-  page,
-}) => {
+test("undo and redo walk through every kind of edit; a drag is one", async ({ page }) => {
   const lab = await Lab.open(page);
   const states = [await lab.readout()];
   const record = async (what: RegExp) => {

@@ -17,10 +17,7 @@ export class Lab {
   }
 
   /** Opens the page and waits until the scene's own renderer has taken over from the plain canvas. */
-  static async open(
-    page: Page,
-    address = "./?renderer=canvas2d&theme=light",
-  ): Promise<Lab> {
+  static async open(page: Page, address = "./?renderer=canvas2d&theme=light"): Promise<Lab> {
     await page.goto(address);
     const lab = new Lab(page);
     await expect(lab.scene).not.toHaveAttribute("data-backend", "", {
@@ -32,9 +29,7 @@ export class Lab {
 
   /** Orientation error in degrees and position error in metres at the step shown. */
   errors(estimator: string): Promise<string[]> {
-    return this.page
-      .locator(`[data-estimator="${estimator}"] td`)
-      .allInnerTexts();
+    return this.page.locator(`[data-estimator="${estimator}"] td`).allInnerTexts();
   }
 
   bound(name = "posterior_crb"): Promise<string[]> {
@@ -43,9 +38,7 @@ export class Lab {
 
   /** All numbers of the table of errors, as one text. */
   readout(): Promise<string> {
-    return this.page
-      .getByRole("table", { name: "Errors at this step" })
-      .innerText();
+    return this.page.getByRole("table", { name: "Errors at this step" }).innerText();
   }
 
   async anchor(number: number): Promise<string> {
@@ -58,10 +51,7 @@ export class Lab {
     const label = this.page.locator("svg.labels text.anchor").nth(number - 1);
     const box = await this.surface.boundingBox();
     if (!box) throw new Error("the scene is not on the page");
-    const [x, y] = await Promise.all([
-      label.getAttribute("x"),
-      label.getAttribute("y"),
-    ]);
+    const [x, y] = await Promise.all([label.getAttribute("x"), label.getAttribute("y")]);
     return { x: box.x + Number(x) - 11, y: box.y + Number(y) + 10 };
   }
 

@@ -3,10 +3,8 @@ import { deflateSync, inflateSync } from "node:zlib";
 import { Lab } from "./lab";
 
 const PLAIN = "./?renderer=canvas2d&theme=light";
-const unpack = (hash: string) =>
-  JSON.parse(inflateSync(Buffer.from(hash.slice(4), "base64url")).toString());
-const pack = (value: unknown) =>
-  `#v1.${deflateSync(JSON.stringify(value)).toString("base64url")}`;
+const unpack = (hash: string) => JSON.parse(inflateSync(Buffer.from(hash.slice(4), "base64url")).toString());
+const pack = (value: unknown) => `#v1.${deflateSync(JSON.stringify(value)).toString("base64url")}`;
 
 async function changedLink(lab: Lab): Promise<string> {
   await lab.drag(2, 50, -20);
@@ -16,28 +14,19 @@ async function changedLink(lab: Lab): Promise<string> {
   return new URL(lab.page.url()).hash;
 }
 
-test("a shared link opens the same scenario with the same numbers", async ({
-  page,
-  context,
-}) => {
+test("a shared link opens the same scenario with the same numbers", async ({ page, context }) => {
   const lab = await Lab.open(page);
   const hash = await changedLink(lab);
   await page.getByRole("button", { name: "Share" }).click();
   await expect(lab.status).toContainText("Link copied");
-  expect(await page.evaluate(() => navigator.clipboard.readText())).toContain(
-    hash,
-  );
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toContain(hash);
   const other = await Lab.open(await context.newPage(), PLAIN + hash);
   expect(await other.readout()).toBe(await lab.readout());
-  expect(await other.anchor(2)).toBe(
-    (await lab.anchor(2)).replace(", selected", ""),
-  );
+  expect(await other.anchor(2)).toBe((await lab.anchor(2)).replace(", selected", ""));
   await expect(other.alert).toBeEmpty();
 });
 
-test("a link pasted into the open page is an edit that can be undone", async ({
-  page,
-}) => {
+test("a link pasted into the open page is an edit that can be undone", async ({ page }) => {
   const lab = await Lab.open(page);
   const before = await lab.readout();
   const hash = await changedLink(lab);
@@ -52,36 +41,21 @@ test("a link pasted into the open page is an edit that can be undone", async ({
 
 test.describe("bad links say so and open the default", () => {
   const cases: [string, (good: string) => string, RegExp][] = [
-    [
-      "cut in half",
-      (good) => good.slice(0, good.length / 2),
-      /damaged|cut off/,
-    ],
+    ["cut in half", (good) => good.slice(0, good.length / 2), /damaged|cut off/],
     ["of another kind", () => "#hello", /form #v1/],
     ["of a newer version", (good) => good.replace("#v1.", "#v7."), /version 7/],
     ["too long", () => `#v1.${"A".repeat(10_000)}`, /characters long/],
     ["a bomb", () => pack({ name: "x".repeat(100_000) }), /unpacks to more/],
     ["no scenario", () => pack([1, 2, 3]), /./],
-    [
-      "noise 0",
-      (good) => pack({ ...unpack(good), noise: { kind: "range", sigma: 0 } }),
-      /sigma/,
-    ],
-    [
-      "an unknown field",
-      (good) => pack({ ...unpack(good), colour: "red" }),
-      /colour/,
-    ],
+    ["noise 0", (good) => pack({ ...unpack(good), noise: { kind: "range", sigma: 0 } }), /sigma/],
+    ["an unknown field", (good) => pack({ ...unpack(good), colour: "red" }), /colour/],
   ];
   for (const [what, spoil, sentence] of cases) {
     test(what, async ({ page, context }) => {
       const lab = await Lab.open(page);
       const before = await lab.readout();
       const good = await changedLink(lab);
-      const other = await Lab.open(
-        await context.newPage(),
-        PLAIN + spoil(good),
-      );
+      const other = await Lab.open(await context.newPage(), PLAIN + spoil(good));
       await expect(other.alert).toContainText(sentence);
       await expect(other.alert).toContainText("default scene");
       expect(await other.readout()).toBe(before);

@@ -2,9 +2,7 @@ import { fileURLToPath } from "node:url";
 import { test } from "@playwright/test";
 import { Lab } from "./lab";
 
-const file = fileURLToPath(
-  new URL("../../web/page/picture.png", import.meta.url),
-);
+const file = fileURLToPath(new URL("../../web/page/picture.png", import.meta.url));
 
 test("the page as the README shows it", async ({ page }) => {
   const lab = await Lab.open(page, "./?theme=light");

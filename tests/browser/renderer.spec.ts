@@ -13,12 +13,7 @@ async function inked(lab: Lab): Promise<number> {
     const canvas = new OffscreenCanvas(image.width, image.height);
     const context = canvas.getContext("2d")!;
     context.drawImage(image, 0, 0);
-    const { data: pixels } = context.getImageData(
-      0,
-      0,
-      image.width,
-      image.height,
-    );
+    const { data: pixels } = context.getImageData(0, 0, image.width, image.height);
     let count = 0;
     for (let i = 4; i < pixels.length; i += 4)
       if (
@@ -36,9 +31,7 @@ const readouts: Record<string, string> = {};
 const shares: Record<string, number> = {};
 
 for (const backend of backends) {
-  test(`${backend} draws the scene, follows a drag, and shows the same numbers`, async ({
-    page,
-  }) => {
+  test(`${backend} draws the scene, follows a drag, and shows the same numbers`, async ({ page }) => {
     test.setTimeout(180_000);
     const lab = await Lab.open(page, `./?renderer=${backend}&theme=light`);
     await expect(lab.scene).toHaveAttribute("data-backend", backend);
@@ -64,9 +57,7 @@ test("all three agree on the numbers and, within a quarter, on the ink", () => {
   }
 });
 
-test("a browser whose GPU has no adapter falls back by itself", async ({
-  page,
-}) => {
+test("a browser whose GPU has no adapter falls back by itself", async ({ page }) => {
   test.setTimeout(180_000);
   await page.addInitScript(() => {
     Object.defineProperty(navigator, "gpu", {
@@ -77,23 +68,16 @@ test("a browser whose GPU has no adapter falls back by itself", async ({
   await expect(lab.scene).toHaveAttribute("data-backend", "webgl");
 });
 
-test("a browser without any graphics device gets the plain canvas", async ({
-  page,
-}) => {
+test("a browser without any graphics device gets the plain canvas", async ({ page }) => {
   await page.addInitScript(() => {
     Object.defineProperty(navigator, "gpu", { value: undefined });
-    const original = HTMLCanvasElement.prototype.getContext as (
-      kind: string,
-      options?: unknown,
-    ) => unknown;
+    const original = HTMLCanvasElement.prototype.getContext as (kind: string, options?: unknown) => unknown;
     HTMLCanvasElement.prototype.getContext = function (
       this: HTMLCanvasElement,
       kind: string,
       options?: unknown,
     ) {
-      return kind.startsWith("webgl")
-        ? null
-        : original.call(this, kind, options);
+      return kind.startsWith("webgl") ? null : original.call(this, kind, options);
     } as typeof HTMLCanvasElement.prototype.getContext;
   });
   const lab = await Lab.open(page, "./?theme=light");
@@ -101,18 +85,13 @@ test("a browser without any graphics device gets the plain canvas", async ({
   expect(await inked(lab)).toBeGreaterThan(0.005);
 });
 
-test("a lost WebGL context is replaced and the scene drawn again", async ({
-  page,
-}) => {
+test("a lost WebGL context is replaced and the scene drawn again", async ({ page }) => {
   test.setTimeout(180_000);
   const lab = await Lab.open(page, "./?renderer=webgl&theme=light");
   const marked = await page.evaluate(() => {
     const canvas = document.querySelector<HTMLCanvasElement>(".host canvas");
     canvas?.setAttribute("data-old", "");
-    canvas
-      ?.getContext("webgl2")
-      ?.getExtension("WEBGL_lose_context")
-      ?.loseContext();
+    canvas?.getContext("webgl2")?.getExtension("WEBGL_lose_context")?.loseContext();
     return canvas !== null;
   });
   expect(marked).toBe(true);

@@ -1,16 +1,12 @@
 import { expect, test } from "@playwright/test";
 import { Lab } from "./lab";
 
-test("play runs from the start to the end, pause holds, reset goes back", async ({
-  page,
-}) => {
+test("play runs from the start to the end, pause holds, reset goes back", async ({ page }) => {
   const lab = await Lab.open(page);
   const count = await lab.step.innerText();
   await page.getByLabel("Speed").selectOption("10 steps/s");
   await page.getByRole("button", { name: "Play" }).click();
-  await expect
-    .poll(async () => Number(await lab.step.innerText()))
-    .toBeGreaterThan(3);
+  await expect.poll(async () => Number(await lab.step.innerText())).toBeGreaterThan(3);
   await page.getByRole("button", { name: "Pause" }).click();
   const held = await lab.step.innerText();
   await page.waitForTimeout(400);
@@ -33,9 +29,7 @@ test("stepping back shows the very same numbers again", async ({ page }) => {
   expect(await lab.readout()).toBe(before);
 });
 
-test("scrubbing works by key on the slider and by pointer on a plot", async ({
-  page,
-}) => {
+test("scrubbing works by key on the slider and by pointer on a plot", async ({ page }) => {
   const lab = await Lab.open(page);
   const slider = page.getByRole("slider", { name: "Step", exact: true });
   await slider.focus();
@@ -52,9 +46,7 @@ test("scrubbing works by key on the slider and by pointer on a plot", async ({
   expect(Math.abs(step - last / 2)).toBeLessThan(0.06 * last + 1);
 });
 
-test("the space bar plays, comma and full stop step, End goes to the last step", async ({
-  page,
-}) => {
+test("the space bar plays, comma and full stop step, End goes to the last step", async ({ page }) => {
   const lab = await Lab.open(page);
   const count = Number(await lab.step.innerText());
   await page.keyboard.press(",");
