@@ -66,13 +66,12 @@ impl<const D: usize> BlockMatrix<D> {
         self.rows[i][j]
     }
 
-    /// Adds `[c; 1][c; 1]^T (x) gram`.
+    /// Adds `weights (x) gram` for a symmetric (D+1) x (D+1) matrix of weights, given entry by entry.
     #[inline]
-    pub fn add_kronecker(&mut self, c: &SVector<f64, D>, gram: &SMatrix<f64, D, D>) {
-        let extended = |j: usize| if j < D { c[j] } else { 1.0 };
+    pub fn add_kronecker(&mut self, weight: impl Fn(usize, usize) -> f64, gram: &SMatrix<f64, D, D>) {
         for i in 0..=D {
             for j in 0..=D {
-                let scale = extended(i) * extended(j);
+                let scale = weight(i, j);
                 for row in 0..D {
                     for column in 0..D {
                         self.rows[i * D + row][j * D + column] += gram[(row, column)] * scale;

@@ -130,7 +130,8 @@ impl<'a, const D: usize> Sum<'a, D> {
         }
         mirror(&mut gram);
         if let Information::Full(matrix) = &mut self.normal.information {
-            matrix.add_kronecker(c, &gram);
+            let extended = |i: usize| if i < D { c[i] } else { 1.0 };
+            matrix.add_kronecker(|i, j| extended(i) * extended(j), &gram);
         }
         self.normal.ranges += ranges;
         self.normal.residuals += if raw { ranges } else { ranges - 1 };

@@ -169,7 +169,9 @@ impl<const D: usize> RangeModel<D> {
             let (axes, moments) = (*self.topology.axes(), *self.topology.moments());
             Information::Decoupled { axes, gram: *gram, moments }
         } else {
-            Information::Full(kronecker(&self.topology, gram))
+            let mut matrix = BlockMatrix::zeros();
+            matrix.add_kronecker(|i, j| self.topology.extended_gram(i, j), gram);
+            Information::Full(matrix)
         }
     }
 
@@ -202,17 +204,4 @@ fn pair_weights(law: VarianceLaw, squared_ranges: &[f64], weights: &mut [f64]) {
     for (weight, &d) in weights.iter_mut().zip(squared_ranges) {
         *weight = if d.is_nan() { 0.0 } else { 1.0 / law.variance(d) };
     }
-}
-
-/// `(C_e C_e^T) (x) R`.
-fn kronecker<const D: usize>(topology: &Topology<D>, gram: &SMatrix<f64, D, D>) -> BlockMatrix<D> {
-    let mut result = BlockMatrix::zeros();
-    for i in 0..D {
-        for j in 0..=i {
-            result.set_block(i, j, &(gram * topology.gram()[(i, j)]));
-        }
-        result.set_block(D, i, &(gram * topology.sum()[i]));
-    }
-    result.set_block(D, D, &(gram * topology.len() as f64));
-    result
 }

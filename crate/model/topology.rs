@@ -73,9 +73,14 @@ impl<const D: usize> Topology<D> {
         &self.gram
     }
 
-    /// `C 1`, m.
-    pub fn sum(&self) -> &SVector<f64, D> {
-        &self.sum
+    /// Entry `(i, j)` of `C_e C_e^T`, `C_e = [C; 1^T]`: what the information of the anchors is multiplied with.
+    pub fn extended_gram(&self, i: usize, j: usize) -> f64 {
+        match (i < D, j < D) {
+            (true, true) => self.gram[(i, j)],
+            (true, false) => self.sum[i],
+            (false, true) => self.sum[j],
+            (false, false) => self.sensors.len() as f64,
+        }
     }
 
     /// True if the body frame has its origin at the centroid of the sensors (`C 1 = 0`): then the information about

@@ -77,20 +77,6 @@ impl<const D: usize> Uncertainty<D> {
             Self::Tangent(p) => p.shift_block(),
         }
     }
-
-    /// The covariance on the tangent space at `rotation`; `None` for a linear estimator, whose error leaves it.
-    ///
-    /// # Errors
-    /// [`Error::NotPositiveDefinite`].
-    pub fn tangent(&self, rotation: &Rotation<D>) -> Result<Option<TangentMatrix<D>>> {
-        let inverse =
-            |p: &Covariance<D>| TangentMatrix::restrict(&p.to_blocks().inverse()?, rotation).inverse();
-        match self {
-            Self::Linear(_) => Ok(None),
-            Self::Constrained(p) => inverse(p).map(Some).map_err(not_positive),
-            Self::Tangent(p) => Ok(Some(*p)),
-        }
-    }
 }
 
 impl<const D: usize> Step<D> {
