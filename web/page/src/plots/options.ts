@@ -1,5 +1,5 @@
 import uPlot from "uplot";
-import type { PlotLine, PlotSpec } from "../lab";
+import type { PlotLine, PlotSpec } from "./spec";
 import { SHAPES } from "../scene/draw-list";
 import { paintMark } from "../scene/mark";
 import type { Palette } from "../theme/palette";

@@ -1,4 +1,4 @@
-import type { PlotSpec } from "../lab";
+import type { PlotSpec } from "./spec";
 
 /** Errors dip towards zero where they change sign; what lies further below the largest value is cut off. */
 const MOST_DECADES = 3;

@@ -1,4 +1,4 @@
-import type { Label, Layer, SceneInput } from "../lab";
+import type { Label, Layer, SceneInput } from "./input";
 import { add, lift, type Vec3 } from "./geometry";
 import { handleShows, heightHandle } from "./picking";
 

@@ -1,4 +1,4 @@
-import type { Label, Layer, SceneInput } from "../lab";
+import type { Label, Layer, SceneInput } from "./input";
 import type { Vec3 } from "./geometry";
 import { formatNumber } from "../controls/format";
 

@@ -1,4 +1,4 @@
-import type { Label } from "../lab";
+import type { Label } from "./input";
 import type { View } from "./camera";
 
 export interface PlacedLabel {

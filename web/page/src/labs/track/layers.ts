@@ -1,4 +1,4 @@
-import type { Layer, SceneInput } from "../../lab";
+import type { Layer, SceneInput } from "../../scene/input";
 import { type EstimatorRun, matrixAt, pointAt, type PoseTrack, type Run, runsAt } from "../../run";
 import type { Scenario } from "../../scenario";
 import { anchorPoints } from "../../scene/anchors";

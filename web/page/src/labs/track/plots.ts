@@ -1,5 +1,5 @@
 import { DEGREES_PER_RADIAN } from "../../controls/format";
-import type { PlotLine, PlotSpec } from "../../lab";
+import type { PlotLine, PlotSpec } from "../../plots/spec";
 import { type BoundRun, type EstimatorRun, type Run, runsAt } from "../../run";
 import type { Scenario } from "../../scenario";
 import { MARKS } from "../../theme/palette";
