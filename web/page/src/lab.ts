@@ -1,18 +1,54 @@
 import type { Component } from "svelte";
+import type { Preset } from "./generated/Preset";
 import type { PlotSpec } from "./plots/spec";
-import type { Run } from "./run";
+import type { PoseTrack } from "./run";
 import type { Scenario } from "./scenario";
+import type { Shape } from "./scene/draw-list";
 import type { Label, Layer, SceneInput } from "./scene/input";
 
-/** A lab plugs into the frame: what it draws, plots, says and lets one change. */
-export interface Lab {
+/** What every lab's run has: all that the frame itself reads of it. */
+export interface LabRun {
+  readonly dimension: number;
+  readonly steps: number;
+  /** Seconds, one a step. */
+  readonly times: Float64Array;
+  /** The anchors used, M rows: presets that redraw anchors differ from the scenario here. */
+  readonly anchors: number[][];
+  readonly truth: PoseTrack;
+}
+
+/** Steps at which something happened, shown on the timeline. */
+export interface TimelineMarks {
+  /** What happened, as a plural: "projections of ET-KF". */
+  readonly label: string;
+  /** The design token of the colour, and the mark that doubles it. */
+  readonly token: string;
+  readonly mark: Shape;
+  readonly steps: readonly number[];
+}
+
+/**
+ * A lab plugs into the frame: what it computes from a scenario, and how that is drawn, plotted, said and changed.
+ * Each is a folder `labs/NAME/index.ts` that exports its `lab`; the frame finds it there.
+ */
+export interface Lab<R extends LabRun = LabRun> {
+  /** Stands in links as `view.lab`. */
   readonly name: string;
   readonly title: string;
-  readonly layers: readonly Layer[];
-  labels(input: SceneInput): Label[];
-  plots(scenario: Scenario, run: Run): PlotSpec[];
+  /** Labs stand in the header in this order; the first opens where a scenario names none. */
+  readonly order: number;
+  presets(): readonly Preset[];
+  preset(name: string): Scenario;
+  /** What opens without a link. */
+  readonly firstPreset: string;
+  /** Throws an `Error` with a sentence. */
+  compute(scenario: Scenario): R;
+  readonly layers: readonly Layer<R>[];
+  labels(input: SceneInput<R>): Label[];
+  plots(scenario: Scenario, run: R): PlotSpec[];
+  marks(run: R): readonly TimelineMarks[];
   /** One sentence on what the run shows. */
-  describe(run: Run): string;
+  describe(run: R): string;
   readonly Controls: Component;
   readonly Readout: Component;
 }

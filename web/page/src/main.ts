@@ -3,14 +3,11 @@ import "./theme/tokens.css";
 import "./theme/base.css";
 import { mount } from "svelte";
 import App from "./App.svelte";
-import { loadEngine, preset, presets } from "./engine";
-import { trackLab } from "./labs/track";
+import { loadEngine } from "./engine";
+import { LABS } from "./labs";
 import { readLink, sentenceOf, Session } from "./state/session.svelte";
 import { Workspace } from "./state/workspace.svelte";
 import { applyTheme, initialTheme } from "./theme/palette";
-
-/** What opens without a link. */
-const FIRST_PRESET = "room";
 
 async function start(): Promise<void> {
   const target = document.getElementById("app");
@@ -20,7 +17,7 @@ async function start(): Promise<void> {
   try {
     await loadEngine();
     const session = await openSession();
-    mount(App, { target, props: { workspace: new Workspace(trackLab, session, theme), presets: presets() } });
+    mount(App, { target, props: { workspace: new Workspace(session, theme) } });
   } catch (error) {
     target.textContent = `The page could not start: ${sentenceOf(error)}`;
   }
@@ -28,12 +25,12 @@ async function start(): Promise<void> {
 
 /** The scenario of the address; where there is none, or a bad one, the first preset. */
 async function openSession(): Promise<Session> {
-  const first = preset(FIRST_PRESET);
-  if (location.hash.length <= 1) return new Session(first, trackLab.describe);
+  const first = LABS[0].preset(LABS[0].firstPreset);
+  if (location.hash.length <= 1) return new Session(first, LABS);
   try {
-    return new Session(await readLink(location.hash, first), trackLab.describe);
+    return new Session(await readLink(location.hash, LABS), LABS);
   } catch (error) {
-    const session = new Session(first, trackLab.describe);
+    const session = new Session(first, LABS);
     session.refusal = `${sentenceOf(error)} The default scene is shown instead.`;
     return session;
   }

@@ -1,4 +1,5 @@
-import { pointAt, type Run } from "../run";
+import type { LabRun } from "../lab";
+import { pointAt } from "../run";
 import type { Scenario } from "../scenario";
 import { add, length, lift, niceBelow, scale, sub, type Vec3 } from "./geometry";
 
@@ -26,7 +27,7 @@ export interface Frame {
 const VISIBLE_SHARE = 0.05;
 const DRAWN_SHARE = 0.18;
 
-export function frameOf(scenario: Scenario, run: Run | null, subject: Subject): Frame {
+export function frameOf(scenario: Scenario, run: LabRun | null, subject: Subject): Frame {
   const anchors = run ? run.anchors : scenario.anchors;
   const track = run ? trackPoints(run) : [lift(scenario.start.position)];
   const bodyRadius = Math.max(1e-6, ...scenario.sensors.map((sensor) => length(lift(sensor))));
@@ -56,7 +57,7 @@ function corners(low: Vec3, high: Vec3, ground: number): Vec3[] {
   );
 }
 
-function trackPoints(run: Run): Vec3[] {
+function trackPoints(run: LabRun): Vec3[] {
   return Array.from({ length: run.steps }, (_, step) => pointAt(run.truth.positions, step, run.dimension));
 }
 

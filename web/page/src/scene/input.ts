@@ -1,4 +1,4 @@
-import type { Run } from "../run";
+import type { LabRun } from "../lab";
 import type { Scenario } from "../scenario";
 import type { Palette } from "../theme/palette";
 import type { View } from "./camera";
@@ -7,9 +7,9 @@ import type { Frame } from "./frame";
 import type { Vec3 } from "./geometry";
 
 /** Everything a layer of the scene may look at. */
-export interface SceneInput {
+export interface SceneInput<R extends LabRun = LabRun> {
   readonly scenario: Scenario;
-  readonly run: Run | null;
+  readonly run: R | null;
   readonly step: number;
   readonly frame: Frame;
   readonly view: View;
@@ -19,7 +19,7 @@ export interface SceneInput {
 }
 
 /** Adds its shapes to the picture. */
-export type Layer = (input: SceneInput, out: DrawList) => void;
+export type Layer<R extends LabRun = LabRun> = (input: SceneInput<R>, out: DrawList) => void;
 
 /** A text that stays beside a point of the scene. */
 export interface Label {

@@ -1,5 +1,6 @@
 import * as engine from "../engine";
-import type { Run } from "../run";
+import type { Lab, LabRun } from "../lab";
+import { forLab, labOf } from "../labs";
 import type { Scenario } from "../scenario";
 import { scheduleCompute } from "./frames";
 import { History } from "./history";
@@ -11,10 +12,13 @@ interface Entry {
   what: string;
 }
 
-/** The state everybody reads: the scenario, its run, what is wrong, what changed. Edits go through here. */
-export class Session {
+/** The state everybody reads: the scenario, its lab and run, what is wrong, what changed. Edits go through here. */
+export class Session<R extends LabRun = LabRun> {
+  readonly labs: readonly Lab[];
   scenario: Scenario = $state.raw()!;
-  run: Run | null = $state.raw(null);
+  /** The lab that the scenario is for. */
+  lab: Lab = $state.raw()!;
+  run: R | null = $state.raw(null);
   /** Why the engine has no run for the scenario; the last good one stays. */
   failure: string | null = $state(null);
   /** Why the last edit or link was not taken; gone with the next one that is. */
@@ -28,15 +32,17 @@ export class Session {
   opened = $state(0);
   link = $state("");
   #history: History<Entry>;
-  #describe: (run: Run) => string;
+  /** The last scene of each lab one has been in. */
+  #left: Record<string, Scenario> = {};
   #linkTurn = 0;
   #pendingWhat: string | null = "Ready";
   #pendingFit = false;
 
-  constructor(scenario: Scenario, describe: (run: Run) => string) {
+  constructor(scenario: Scenario, labs: readonly Lab[]) {
+    this.labs = labs;
     this.#history = new History({ scenario, what: "Opened" });
-    this.#describe = describe;
     this.scenario = scenario;
+    this.lab = labOf(scenario, labs) ?? labs[0];
     this.#compute();
   }
 
@@ -76,6 +82,21 @@ export class Session {
     return accepted;
   }
 
+  /** Opens one of the lab's own scenarios. */
+  openPreset(name: string): boolean {
+    const entry = this.lab.presets().find((candidate) => candidate.name === name);
+    if (!entry) return false;
+    const scenario = forLab(this.lab.preset(name), this.lab, this.labs);
+    return this.open(`Preset “${entry.title}” opened`, scenario);
+  }
+
+  /** Goes to another lab: to the scene one left there, else to its first preset. */
+  openLab(lab: Lab): boolean {
+    this.#left[this.lab.name] = this.scenario;
+    const scenario = this.#left[lab.name] ?? forLab(lab.preset(lab.firstPreset), lab, this.labs);
+    return this.open(`Lab ${lab.title} opened`, scenario);
+  }
+
   undo(): void {
     const undone = this.#history.undo();
     if (undone) this.#travel(`Undone: ${lowerFirst(undone.what)}`);
@@ -89,7 +110,7 @@ export class Session {
   /** Opens the scenario of a link; a bad one is told in a sentence and changes nothing. */
   async openLink(hash: string): Promise<boolean> {
     try {
-      const scenario = await readLink(hash, this.scenario);
+      const scenario = await readLink(hash, this.labs);
       return this.open("Scenario opened from the link", scenario);
     } catch (error) {
       this.refusal = `${sentenceOf(error)} The scene shown is not the link's.`;
@@ -107,6 +128,10 @@ export class Session {
 
   #show(): void {
     this.scenario = this.#history.present.scenario;
+    const lab = labOf(this.scenario, this.labs) ?? this.lab;
+    // A run means nothing to another lab than its own.
+    if (lab !== this.lab) this.run = null;
+    this.lab = lab;
     this.canUndo = this.#history.canUndo;
     this.canRedo = this.#history.canRedo;
     scheduleCompute(this.#compute);
@@ -119,7 +144,7 @@ export class Session {
 
   #compute = (): void => {
     try {
-      this.run = engine.track(this.scenario);
+      this.run = this.lab.compute(this.scenario) as R;
       this.failure = null;
     } catch (error) {
       this.failure = `${sentenceOf(error)} The last good run stays on the screen.`;
@@ -127,7 +152,7 @@ export class Session {
     if (this.#pendingFit) this.opened += 1;
     this.#pendingFit = false;
     if (this.#pendingWhat === null) return;
-    this.announcement = this.run ? `${this.#pendingWhat}. ${this.#describe(this.run)}` : this.#pendingWhat;
+    this.announcement = this.run ? `${this.#pendingWhat}. ${this.lab.describe(this.run)}` : this.#pendingWhat;
     this.#pendingWhat = null;
   };
 
@@ -141,14 +166,19 @@ export class Session {
 }
 
 /** The scenario a link carries; throws with a sentence where the link or the scenario is bad. */
-export async function readLink(hash: string, template: Scenario): Promise<Scenario> {
+export async function readLink(hash: string, labs: readonly Lab[]): Promise<Scenario> {
   const scenario = await decodeLink(hash);
   const [problem] = engine.validate(scenario);
   if (problem) throw new LinkError(`This link holds a scenario that does not work: ${problem.message}`);
-  const missing = firstMissing(template, scenario);
+  const missing = firstMissing(labs[0].preset(labs[0].firstPreset), scenario);
   if (missing)
     throw new LinkError(`This link leaves out “${missing}”; the page reads complete scenarios only.`);
-  return scenario as Scenario;
+  const complete = scenario as Scenario;
+  if (!labOf(complete, labs))
+    throw new LinkError(
+      `This link is for the lab “${complete.view?.["lab"]}”, which this page does not have.`,
+    );
+  return complete;
 }
 
 export function sentenceOf(error: unknown): string {

@@ -1,6 +1,6 @@
 import { getContext, setContext } from "svelte";
 import { MediaQuery } from "svelte/reactivity";
-import type { Lab } from "../lab";
+import type { Lab, LabRun } from "../lab";
 import { applyTheme, type Palette, readPalette, type Theme } from "../theme/palette";
 import type { Session } from "./session.svelte";
 import { Timeline } from "./timeline.svelte";
@@ -8,8 +8,8 @@ import { Timeline } from "./timeline.svelte";
 const narrow = new MediaQuery("max-width: 700px");
 const medium = new MediaQuery("max-width: 1100px");
 
-/** What every part of the frame shares: the lab, the scenario and its run, the time cursor, the looks. */
-export class Workspace {
+/** What every part of the frame shares: the scenario, its lab and run, the time cursor, the looks. */
+export class Workspace<R extends LabRun = LabRun> {
   readonly timeline = new Timeline();
   theme: Theme = $state("light");
   palette: Palette = $state.raw()!;
@@ -21,9 +21,12 @@ export class Workspace {
     return narrow.current ? "narrow" : medium.current ? "medium" : "wide";
   }
 
+  get lab(): Lab {
+    return this.session.lab;
+  }
+
   constructor(
-    readonly lab: Lab,
-    readonly session: Session,
+    readonly session: Session<R>,
     theme: Theme,
   ) {
     this.setTheme(theme);
@@ -42,6 +45,7 @@ export function provideWorkspace(workspace: Workspace): Workspace {
   return setContext(KEY, workspace);
 }
 
-export function useWorkspace(): Workspace {
+/** A lab's own parts know what its runs are: `useWorkspace<Run>()`. */
+export function useWorkspace<R extends LabRun = LabRun>(): Workspace<R> {
   return getContext(KEY);
 }

@@ -28,7 +28,12 @@ export function drawnPosition(run: Run, track: PoseTrack, step: number, magnific
   return add(truth, scale(sub(pointAt(track.positions, step, run.dimension), truth), magnification));
 }
 
-function sensorPoints({ scenario, frame }: SceneInput, run: Run, track: PoseTrack, step: number): Vec3[] {
+function sensorPoints(
+  { scenario, frame }: SceneInput<Run>,
+  run: Run,
+  track: PoseTrack,
+  step: number,
+): Vec3[] {
   const rotation = matrixAt(track.orientations, step, run.dimension, 1);
   const centre = drawnPosition(run, track, step, frame.magnification);
   return scenario.sensors.map((sensor) =>
@@ -36,7 +41,7 @@ function sensorPoints({ scenario, frame }: SceneInput, run: Run, track: PoseTrac
   );
 }
 
-export const ranges: Layer = (input, out) => {
+export const ranges: Layer<Run> = (input, out) => {
   const { run, step, palette, scenario, frame } = input;
   if (!run) return;
   const anchors = anchorPoints(input);
@@ -48,7 +53,7 @@ export const ranges: Layer = (input, out) => {
   for (const anchor of anchors) for (const end of ends) out.line(anchor, end, style);
 };
 
-export const truth: Layer = (input, out) => {
+export const truth: Layer<Run> = (input, out) => {
   const { run, step, palette, scenario, frame } = input;
   if (!run) return;
   const path = pathOf(run, run.truth, frame.magnification, run.steps);
@@ -65,7 +70,7 @@ export const truth: Layer = (input, out) => {
 };
 
 /** The axes of the body at the current step, as arrows from its origin. */
-export function bodyAxes(input: SceneInput, run: Run): { start: Vec3; vector: Vec3; side: Vec3 }[] {
+export function bodyAxes(input: SceneInput<Run>, run: Run): { start: Vec3; vector: Vec3; side: Vec3 }[] {
   const { frame, scenario, step } = input;
   const rotation = matrixAt(run.truth.orientations, step, run.dimension, 1);
   const start = drawnPosition(run, run.truth, step, frame.magnification);
@@ -76,7 +81,7 @@ export function bodyAxes(input: SceneInput, run: Run): { start: Vec3; vector: Ve
   return axes.map((axis) => ({ start, vector: column(axis), side: column((axis + 1) % axes.length) }));
 }
 
-export const estimates: Layer = (input, out) => {
+export const estimates: Layer<Run> = (input, out) => {
   const { run, step, palette, frame, scenario } = input;
   if (!run) return;
   const { edges } = hullOfSensors(scenario.sensors);
@@ -96,7 +101,7 @@ export const estimates: Layer = (input, out) => {
 };
 
 /** The 95 % ellipsoids of the position: what each estimator claims, and the bound as a full one. */
-export const uncertainty: Layer = ({ run, step, palette, frame }, out) => {
+export const uncertainty: Layer<Run> = ({ run, step, palette, frame }, out) => {
   if (!run) return;
   const draw = (centre: Vec3, covariances: Float64Array, color: Color) => {
     const axes = ellipsoidAxes(covariances, step, run.dimension, frame.magnification);
