@@ -71,4 +71,37 @@ export class Lab {
     await this.field(label).fill(value);
     await this.field(label).press("Enter");
   }
+
+  /** Chooses an anchor by a press on it. */
+  async choose(number: number): Promise<void> {
+    const at = await this.anchorPixel(number);
+    await this.page.mouse.click(at.x, at.y);
+    await expect(this.page.getByRole("group", { name: "Selected anchor" })).toBeVisible();
+  }
+
+  async openPreset(name: string): Promise<void> {
+    await this.page.getByLabel("Preset", { exact: true }).selectOption({ value: name });
+    await expect(this.status).toContainText("opened");
+  }
+
+  /** On a narrow screen the controls are a sheet. */
+  async openSheet(): Promise<void> {
+    const button = this.page.getByRole("button", { name: "Controls", exact: true });
+    if (await button.isVisible()) await button.click();
+  }
+
+  /** Opens every folded group of the controls. */
+  async openGroups(): Promise<void> {
+    await this.openSheet();
+    const folded = this.page.locator("aside details:not([open]) > summary");
+    while ((await folded.count()) > 0) await folded.first().click();
+  }
+
+  /** Waits until what is drawn has caught up with the state. */
+  async settled(): Promise<void> {
+    await this.page.evaluate(
+      () =>
+        new Promise<void>((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => resolve()))),
+    );
+  }
 }

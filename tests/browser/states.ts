@@ -1,0 +1,51 @@
+import { expect } from "@playwright/test";
+import { Lab } from "./lab";
+
+export const THEMES = ["light", "dark", "projector"] as const;
+export type Theme = (typeof THEMES)[number];
+export const SIZES = [
+  { width: 1440, height: 900 },
+  { width: 1024, height: 768 },
+  { width: 390, height: 844 },
+] as const;
+export type Size = (typeof SIZES)[number];
+
+/** Something that a visitor can have on the screen: how to get there from the page as it opens. */
+export interface State {
+  readonly name: string;
+  /** Opens with this preset; without one as the page does by itself. */
+  readonly preset?: string;
+  prepare(lab: Lab): Promise<void>;
+}
+
+/** Every state is looked at in the pictures and judged by axe: a new part of the page adds its own line. */
+export const STATES: readonly State[] = [
+  { name: "start", prepare: async () => undefined },
+  ...["planar", "tracking-paper", "three-anchors"].map((preset) => ({
+    name: preset,
+    preset,
+    prepare: async () => undefined,
+  })),
+  { name: "anchor chosen", prepare: (lab) => lab.choose(2) },
+  { name: "groups open", prepare: (lab) => lab.openGroups() },
+  { name: "refusal", prepare: refuse },
+  { name: "help", prepare: (lab) => openDialog(lab, "Help") },
+  { name: "data table", prepare: (lab) => openDialog(lab, "Orientation error: data table") },
+];
+
+/** The page in that state, theme and size. */
+export async function enter(lab: Lab, state: State): Promise<void> {
+  if (state.preset) await lab.openPreset(state.preset);
+  await state.prepare(lab);
+}
+
+async function refuse(lab: Lab): Promise<void> {
+  await lab.openSheet();
+  await lab.type("Noise level σ", "-1");
+  await expect(lab.alert).not.toBeEmpty();
+}
+
+async function openDialog(lab: Lab, button: string): Promise<void> {
+  await lab.page.getByRole("button", { name: button }).click();
+  await expect(lab.page.getByRole("dialog")).toBeVisible();
+}
