@@ -69,7 +69,7 @@ test("every preset opens, and Reset brings one back", async ({ page }) => {
   const before = await lab.readout();
   await lab.type("Seed", "4711");
   await expect.poll(() => lab.readout()).not.toBe(before);
-  await page.getByRole("button", { name: "Reset" }).click();
+  await page.getByRole("button", { name: "Reset", exact: true }).click();
   await expect.poll(() => lab.readout()).toBe(before);
 });
 

@@ -45,7 +45,7 @@ test("geometries that break estimators leave a live page", async ({ page }) => {
   for (let i = 1; i <= anchors; i++) await place(i, ["3", "2", "1"]);
   for (let i = anchors; i > 1; i--) await page.getByRole("button", { name: `Remove anchor ${i}` }).click();
   await expect(lab.scene.locator("canvas")).toBeVisible();
-  await page.getByRole("button", { name: "Reset" }).click();
+  await page.getByRole("button", { name: "Reset", exact: true }).click();
   await expect(lab.alert).toBeEmpty();
   expect((await lab.errors("uc-kf"))[0]).toMatch(/^[\d.]+$/);
   expect(pageErrors).toEqual([]);

@@ -9,9 +9,9 @@ export type { Scenario } from "./generated/Scenario";
 /** What each estimator is, in a few words, in the order the page lists them. */
 export const ESTIMATORS: readonly { name: EstimatorName; label: string; meaning: string }[] = [
   { name: "kf", label: "KF", meaning: "Kalman filter, no constraint" },
-  { name: "ortho", label: "KF-ortho", meaning: "projected at every step" },
-  { name: "uc-kf", label: "UC-KF", meaning: "with the unitary constraint" },
-  { name: "et-kf", label: "ET-KF", meaning: "projected beyond the threshold" },
+  { name: "ortho", label: "KF-ortho", meaning: "projected every step" },
+  { name: "uc-kf", label: "UC-KF", meaning: "unitarily constrained" },
+  { name: "et-kf", label: "ET-KF", meaning: "projected beyond ε" },
   { name: "eskf", label: "ESKF", meaning: "error-state, on rotations" },
-  { name: "eskf-raw", label: "ESKF raw", meaning: "on unprojected ranges" },
+  { name: "eskf-raw", label: "ESKF raw", meaning: "on squared ranges" },
 ];

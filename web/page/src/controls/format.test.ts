@@ -1,8 +1,8 @@
 import { expect, test } from "vitest";
-import { formatNumber, formatReading, parseNumber } from "./format";
+import { formatNumber, formatPoint, formatReading, parseNumber } from "./format";
 
 test("numbers come back from how they are written", () => {
-  for (const value of [0, 1, -2.5, 0.001, 123456, 1e-9, -1e12])
+  for (const value of [0, 1, -2.5, 0.001, 123456, 2 ** 53, 1e-9, -1e12])
     expect(parseNumber(formatNumber(value))).toBe(value);
 });
 
@@ -25,4 +25,8 @@ test("readings have a dash for what is not there", () => {
     "12.3",
     "1.0e−5",
   ]);
+});
+
+test("a point is written with all its coordinates", () => {
+  expect(formatPoint([0.25, -1, 12.3456789])).toBe("(0.25, −1, 12.3457) m");
 });

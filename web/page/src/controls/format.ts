@@ -1,8 +1,9 @@
 const MINUS = "\u2212";
 
-/** A number as people write it: at most six significant digits, a real minus, no trailing zeros. */
-export function formatNumber(value: number): string {
-  return Number(value.toPrecision(6)).toString().replace("-", MINUS);
+/** A number as people write it: whole ones whole, others with a few significant digits, a real minus, no trailing zeros. */
+export function formatNumber(value: number, digits = 6): string {
+  const shown = Number.isInteger(value) ? value : Number(value.toPrecision(digits));
+  return shown.toString().replace("-", MINUS);
 }
 
 /** Three significant digits: for numbers that change while one looks. */
@@ -23,7 +24,7 @@ export function parseNumber(text: string): number | null {
 }
 
 export function formatPoint(point: readonly number[]): string {
-  return `(${point.map(formatNumber).join(", ")}) m`;
+  return `(${point.map((value) => formatNumber(value)).join(", ")}) m`;
 }
 
 export const DEGREES_PER_RADIAN = 180 / Math.PI;

@@ -3,7 +3,6 @@ import { MediaQuery } from "svelte/reactivity";
 import type { Lab, LabRun } from "../lab";
 import { applyTheme, type Palette, readPalette, type Theme } from "../theme/palette";
 import type { Session } from "./session.svelte";
-import { keep } from "./storage";
 import { Timeline } from "./timeline.svelte";
 
 const narrow = new MediaQuery("max-width: 700px");
@@ -30,15 +29,10 @@ export class Workspace<R extends LabRun = LabRun> {
     readonly session: Session<R>,
     theme: Theme,
   ) {
-    this.#showTheme(theme);
+    this.setTheme(theme);
   }
 
   setTheme(theme: Theme): void {
-    keep("theme", theme);
-    this.#showTheme(theme);
-  }
-
-  #showTheme(theme: Theme): void {
     applyTheme(theme);
     this.theme = theme;
     this.palette = readPalette(theme);

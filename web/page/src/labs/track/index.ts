@@ -5,7 +5,7 @@ import { add } from "../../scene/geometry";
 import { anchorLabels, anchors } from "../../scene/anchors";
 import { ground, groundLabels } from "../../scene/ground";
 import type { SceneInput } from "../../scene/input";
-import Controls from "./Controls.svelte";
+import Controls from "./controls/Panel.svelte";
 import { bodyAxes, estimates, ranges, truth, uncertainty } from "./layers";
 import { eventSteps, plots } from "./plots";
 import Readout from "./Readout.svelte";

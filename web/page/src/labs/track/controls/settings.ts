@@ -1,0 +1,54 @@
+import { DEGREES_PER_RADIAN } from "../../../controls/format";
+import type { NumberSetting } from "../../../controls/setting";
+
+/** The single numbers of a scenario, as the controls show them. */
+
+export const MISSING: NumberSetting = {
+  path: "missing_probability",
+  label: "Missing ranges",
+  unit: "%",
+  factor: 100,
+  min: 0,
+  max: 100,
+  step: 5,
+  scale: { min: 0, max: 90 },
+};
+
+export const EPSILON: NumberSetting = {
+  path: "estimators.threshold.epsilon",
+  label: "ET threshold ε",
+  unit: "",
+  scale: { min: 0.001, max: 3, log: true, zero: true },
+};
+
+export const SEED: NumberSetting = { path: "seed", label: "Seed", unit: "", step: 1, min: 0 };
+export const STEPS: NumberSetting = { path: "steps", label: "Steps", unit: "", step: 10, min: 1 };
+export const INTERVAL: NumberSetting = { path: "interval", label: "Interval", unit: "s", step: 0.1 };
+
+/** How unsteadily the body really moves. */
+export const DISTURBANCES: readonly NumberSetting[] = [
+  angleNoise("motion.sigma_omega", "Turn rate σ_ω", "deg/s"),
+  positionNoise("motion.sigma_t", "Shift per step σ_t"),
+];
+
+/** How unsteadily the filters take it to move. */
+export const PROCESS_NOISE: readonly NumberSetting[] = [
+  angleNoise("process.sigma_q", "Turn per step σ_q", "deg"),
+  positionNoise("process.sigma_t", "Shift per step σ_t"),
+];
+
+export const PRIOR_VARIANCE: NumberSetting = {
+  path: "initial.covariance",
+  label: "Variance",
+  unit: "",
+  scale: { min: 1e-4, max: 1e4, log: true },
+};
+
+function angleNoise(path: string, label: string, unit: string): NumberSetting {
+  const scale = { min: 0.003, max: 30, log: true, zero: true };
+  return { path, label, unit, factor: DEGREES_PER_RADIAN, scale };
+}
+
+function positionNoise(path: string, label: string): NumberSetting {
+  return { path, label, unit: "m", scale: { min: 0.001, max: 10, log: true, zero: true } };
+}
