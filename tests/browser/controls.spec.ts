@@ -75,7 +75,7 @@ test("every preset opens, and Reset brings one back", async ({ page }) => {
 
 test("a plot has its numbers as a table", async ({ page }) => {
   const lab = await Lab.open(page);
-  await page.getByRole("button", { name: "Orientation error: data table" }).click();
+  await lab.plotMenu("Orientation error", "Data table");
   const dialog = page.getByRole("dialog");
   const rows = dialog.locator("tbody tr");
   await expect(rows).toHaveCount(Number(await lab.step.innerText()));

@@ -89,7 +89,8 @@ test("every control can be reached by Tab and shows its focus", async ({ page })
     "Anchors, body",
     "Play",
     "Step",
-    "data table",
+    "scale, table, files",
+    "ET threshold",
     "Settings",
     "Add an anchor",
   ])

@@ -63,6 +63,16 @@ export class Lab {
     await this.page.mouse.up();
   }
 
+  plot(title: string): Locator {
+    return this.page.locator(".plots figure").filter({ hasText: title });
+  }
+
+  /** Opens the menu of a plot and chooses something from it. */
+  async plotMenu(title: string, choice?: string): Promise<void> {
+    await this.page.getByRole("button", { name: `${title}: scale, table, files` }).click();
+    if (choice) await this.page.getByRole("button", { name: choice, exact: true }).click();
+  }
+
   field(label: string): Locator {
     return this.page.getByRole("textbox", { name: label, exact: true });
   }

@@ -30,7 +30,9 @@ export const STATES: readonly State[] = [
   { name: "groups open", prepare: (lab) => lab.openGroups() },
   { name: "refusal", prepare: refuse },
   { name: "help", prepare: (lab) => openDialog(lab, "Help") },
-  { name: "data table", prepare: (lab) => openDialog(lab, "Orientation error: data table") },
+  { name: "data table", prepare: (lab) => lab.plotMenu("Orientation error", "Data table") },
+  { name: "plot menu", prepare: (lab) => lab.plotMenu("Orientation error") },
+  { name: "plot enlarged", prepare: (lab) => enlarge(lab) },
 ];
 
 /** The page in that state, theme and size. */
@@ -48,4 +50,9 @@ async function refuse(lab: Lab): Promise<void> {
 async function openDialog(lab: Lab, button: string): Promise<void> {
   await lab.page.getByRole("button", { name: button }).click();
   await expect(lab.page.getByRole("dialog")).toBeVisible();
+}
+
+async function enlarge(lab: Lab): Promise<void> {
+  await lab.page.getByRole("button", { name: "Orientation error: enlarge" }).click();
+  await expect(lab.page.locator(".plots figure")).toHaveCount(1);
 }

@@ -1,23 +1,52 @@
-import type { PlotSpec } from "./spec";
+import { type PlotLine, type PlotSpec, type ScaleKind, SPREAD } from "./spec";
+import { linearTicks } from "./ticks";
+
+export type Range = readonly [number, number];
 
 /** Errors dip towards zero where they change sign; what lies further below the largest value is cut off. */
 const MOST_DECADES = 3;
 
-/** Ends of a logarithmic axis on 1, 2, 5 times powers of ten, so that small changes do not move it. */
-export function logRange(spec: Pick<PlotSpec, "lines" | "threshold">): [number, number] {
-  let low = Infinity;
-  let high = 0;
-  const take = (value: number | null) => {
-    if (value === null || !(value > 0) || !Number.isFinite(value)) return;
-    low = Math.min(low, value);
-    high = Math.max(high, value);
-  };
-  for (const line of spec.lines) line.values.forEach(take);
-  if (spec.threshold) take(spec.threshold.value);
-  if (high === 0) return [0.1, 1];
+/** Ends of the value axis on round numbers that hold the data, so that small changes do not move it. */
+export function valueRange(spec: Pick<PlotSpec, "lines" | "bands" | "threshold">, scale: ScaleKind): Range {
+  return scale === "log" ? logRange(spec) : linearRange(spec);
+}
+
+function logRange(spec: Pick<PlotSpec, "lines" | "bands" | "threshold">): Range {
+  const [low, high] = extent(spec, (value) => value > 0);
+  if (high === -Infinity) return [0.1, 1];
   const cut = Math.max(low, high / 10 ** MOST_DECADES);
   const [bottom, top] = [roundDown(cut), roundUp(high)];
   return top > bottom ? [bottom, top] : [bottom / 2, top * 2];
+}
+
+/** Errors, shares and ratios start at zero. */
+function linearRange(spec: Pick<PlotSpec, "lines" | "bands" | "threshold">): Range {
+  const [, high] = extent(spec, (value) => value >= 0);
+  if (!(high > 0)) return [0, 1];
+  const ticks = linearTicks([0, high], 5);
+  const step = ticks[1] - ticks[0];
+  return [0, Number((step * Math.ceil(high / step - 1e-9)).toPrecision(12))];
+}
+
+function extent(
+  { lines, bands, threshold }: Pick<PlotSpec, "lines" | "bands" | "threshold">,
+  wanted: (value: number) => boolean,
+): Range {
+  let [low, high] = [Infinity, -Infinity];
+  const take = (value: number) => {
+    if (!wanted(value) || !Number.isFinite(value)) return;
+    low = Math.min(low, value);
+    high = Math.max(high, value);
+  };
+  for (const line of lines) takeLine(line, take);
+  for (const band of bands) [band.low, band.high].forEach(take);
+  threshold?.heights.forEach(take);
+  return [low, high];
+}
+
+function takeLine({ values, standardErrors }: PlotLine, take: (value: number) => void): void {
+  values.forEach(take);
+  standardErrors?.forEach((error, step) => take(values[step] + SPREAD * error));
 }
 
 function roundDown(value: number): number {

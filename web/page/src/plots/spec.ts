@@ -1,5 +1,7 @@
+import type { Scenario } from "../scenario";
 import type { Shape } from "../scene/draw-list";
 
+/** One curve of a plot, a number a step; NaN where there is none. */
 export interface PlotLine {
   readonly name: string;
   readonly label: string;
@@ -7,17 +9,58 @@ export interface PlotLine {
   readonly token: string;
   readonly mark: Shape | null;
   readonly dash: readonly number[];
-  readonly values: readonly (number | null)[];
-  /** Steps at which a filled mark is drawn: something happened. */
+  readonly values: Float64Array;
+  /** Standard errors of the values, or null where a value is no average. */
+  readonly standardErrors: Float64Array | null;
+  /** Steps at which a tick is drawn at the floor: something happened. */
   readonly events: readonly number[];
 }
+
+/** A level that is dragged in the plot itself. */
+export interface Threshold {
+  /** What a reader calls it. */
+  readonly name: string;
+  /** What dragging sets. */
+  readonly value: number;
+  readonly least: number;
+  readonly most: number;
+  readonly label: string;
+  readonly token: string;
+  /** Where the line lies, a number a step, in proportion to the value. */
+  readonly heights: Float64Array;
+  /** The edit that sets another value, and what it is called. */
+  edit(value: number): { what: string; scenario: Scenario };
+}
+
+/** Where values are expected. */
+export interface Band {
+  readonly low: number;
+  readonly high: number;
+  readonly label: string;
+}
+
+export type ScaleKind = "log" | "linear";
 
 export interface PlotSpec {
   readonly name: string;
   readonly title: string;
+  /** Short enough for a button. */
+  readonly shortTitle: string;
   readonly unit: string;
   /** Seconds. */
   readonly times: Float64Array;
   readonly lines: readonly PlotLine[];
-  readonly threshold: { readonly value: number; readonly label: string } | null;
+  readonly bands: readonly Band[];
+  readonly threshold: Threshold | null;
+  /** The scale it opens with. */
+  readonly scale: ScaleKind;
+  /** A sentence on what the picture leaves out, or null. */
+  readonly note: string | null;
+}
+
+/** How many standard errors the shaded band of an average reaches to either side. */
+export const SPREAD = 2;
+
+export function titleWithUnit({ title, unit }: PlotSpec): string {
+  return unit ? `${title} in ${unit}` : title;
 }

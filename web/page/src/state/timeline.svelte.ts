@@ -5,6 +5,8 @@ export const RATES = [1, 2, 5, 10, 20, 50] as const;
 /** The cursor in time: which step of the run is shown, and whether it is moving. */
 export class Timeline {
   step = $state(0);
+  /** The step under the pointer in a plot, or null. */
+  hovered: number | null = $state(null);
   count = $state(1);
   playing = $state(false);
   /** Steps per second of watching. */

@@ -15,6 +15,8 @@ export class Workspace<R extends LabRun = LabRun> {
   palette: Palette = $state.raw()!;
   /** The anchor under the pointer, or whose row of the table has the focus. */
   hoveredAnchor: number | null = $state(null);
+  /** The one estimator that stands out in the plots, or null. */
+  emphasis: string | null = $state(null);
 
   /** How much room there is: it decides where the numbers stand. */
   get room(): "narrow" | "medium" | "wide" {
@@ -30,6 +32,11 @@ export class Workspace<R extends LabRun = LabRun> {
     theme: Theme,
   ) {
     this.setTheme(theme);
+  }
+
+  /** Lets an estimator stand out, or all be equal again. */
+  emphasize(name: string): void {
+    this.emphasis = this.emphasis === name ? null : name;
   }
 
   setTheme(theme: Theme): void {
