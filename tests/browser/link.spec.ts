@@ -10,6 +10,7 @@ async function changedLink(lab: Lab): Promise<string> {
   await lab.drag(2, 50, -20);
   await lab.type("Seed", "31");
   await expect(lab.status).toContainText("Seed set to 31");
+  await expect.poll(() => new URL(lab.page.url()).hash).toMatch(/^#v1\./);
   await expect.poll(() => unpack(new URL(lab.page.url()).hash).seed).toBe(31);
   return new URL(lab.page.url()).hash;
 }
@@ -31,7 +32,7 @@ test("a link pasted into the open page is an edit that can be undone", async ({ 
   const before = await lab.readout();
   const hash = await changedLink(lab);
   const after = await lab.readout();
-  await page.goto(PLAIN);
+  await page.getByRole("button", { name: "Reset" }).click();
   await expect.poll(() => lab.readout()).toBe(before);
   await page.evaluate((next) => (location.hash = next), hash);
   await expect.poll(() => lab.readout()).toBe(after);
@@ -39,7 +40,43 @@ test("a link pasted into the open page is an edit that can be undone", async ({ 
   await expect.poll(() => lab.readout()).toBe(before);
 });
 
-test.describe("bad links say so and open the default", () => {
+test("a link that arrives during a drag opens when the drag ends; each is an edit of its own", async ({
+  page,
+}) => {
+  const lab = await Lab.open(page);
+  const [start, hash] = [await lab.anchor(2), await changedLink(lab)];
+  await page.getByRole("button", { name: "Reset" }).click();
+  await expect.poll(() => lab.anchor(2)).toBe(start);
+  const from = await lab.anchorPixel(3);
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(from.x + 40, from.y - 20, { steps: 4 });
+  await page.evaluate((next) => (location.hash = next), hash);
+  await page.mouse.move(from.x + 50, from.y - 20, { steps: 4 });
+  await expect(lab.field("Seed")).not.toHaveValue("31");
+  await page.mouse.up();
+  await expect(lab.field("Seed")).toHaveValue("31");
+  const undo = page.getByRole("button", { name: "Undo" });
+  await expect(undo).toHaveAttribute("title", /opened from the link/);
+  await undo.click();
+  await expect(undo).toHaveAttribute("title", /Anchor 3 moved/);
+});
+
+test("a bad link pasted into the open page says so and leaves scene, history and address alone", async ({
+  page,
+}) => {
+  const lab = await Lab.open(page);
+  const good = await changedLink(lab);
+  const readout = await lab.readout();
+  await page.evaluate((half) => (location.hash = half), good.slice(0, good.length / 2));
+  await expect(lab.alert).toContainText(/damaged|cut off/);
+  await expect(lab.alert).toContainText("stays as it was");
+  expect(await lab.readout()).toBe(readout);
+  await expect.poll(() => new URL(page.url()).hash).toBe(good);
+  await expect(page.getByRole("button", { name: "Undo" })).toHaveAttribute("title", /Seed set to 31/);
+});
+
+test.describe("bad links say so and open the last scene, without one the default", () => {
   const cases: [string, (good: string) => string, RegExp][] = [
     ["cut in half", (good) => good.slice(0, good.length / 2), /damaged|cut off/],
     ["of another kind", () => "#hello", /form #v1/],
@@ -55,10 +92,18 @@ test.describe("bad links say so and open the default", () => {
       const lab = await Lab.open(page);
       const before = await lab.readout();
       const good = await changedLink(lab);
-      const other = await Lab.open(await context.newPage(), PLAIN + spoil(good));
-      await expect(other.alert).toContainText(sentence);
-      await expect(other.alert).toContainText("default scene");
-      expect(await other.readout()).toBe(before);
+      const after = await lab.readout();
+      for (const [shown, readout] of [
+        ["last scene", after],
+        ["default scene", before],
+      ]) {
+        const other = await Lab.open(await context.newPage(), PLAIN + spoil(good));
+        await expect(other.alert).toContainText(sentence);
+        await expect(other.alert).toContainText(shown);
+        expect(await other.readout()).toBe(readout);
+        await expect.poll(() => new URL(other.page.url()).hash).not.toBe(spoil(good));
+        await page.evaluate(() => localStorage.clear());
+      }
     });
   }
 });

@@ -24,14 +24,23 @@ function request(): void {
   pending = true;
   requestAnimationFrame(() => {
     runAll(compute);
-    flushSync();
+    runOne(flushSync);
     pending = false;
     runAll(draw);
   });
 }
 
+/** A task that fails is told like any other error of the page and holds up no other one. */
+function runOne(task: Task): void {
+  try {
+    task();
+  } catch (error) {
+    reportError(error);
+  }
+}
+
 function runAll(tasks: Set<Task>): void {
   const now = [...tasks];
   tasks.clear();
-  for (const task of now) task();
+  for (const task of now) runOne(task);
 }

@@ -23,6 +23,16 @@ export class History<T> {
     return this.#future.length > 0;
   }
 
+  /** The state that redo would bring back. */
+  get next(): T | undefined {
+    return this.#future.at(-1);
+  }
+
+  /** Whether a gesture is going on. */
+  get inGesture(): boolean {
+    return this.#gestureStart !== undefined;
+  }
+
   /** Shows a state without an entry of its own; the first preview opens a gesture. */
   preview(next: T): void {
     this.#gestureStart ??= this.#present;
@@ -43,6 +53,12 @@ export class History<T> {
     if (this.#gestureStart === undefined) return;
     this.#present = this.#gestureStart;
     this.#gestureStart = undefined;
+  }
+
+  /** Goes back to the state before the last entry, or before the gesture, and forgets what it led to. */
+  discard(): void {
+    if (this.inGesture) return this.cancel();
+    this.#present = this.#past.pop() ?? this.#present;
   }
 
   edit(next: T): void {

@@ -2,9 +2,10 @@ import * as engine from "../engine";
 import type { Lab, LabRun } from "../lab";
 import { forLab, labOf } from "../labs";
 import type { Scenario } from "../scenario";
+import { readLink, readText, sentenceOf, textOf } from "./document";
 import { scheduleCompute } from "./frames";
 import { History } from "./history";
-import { decodeLink, encodeLink, firstMissing, LinkError } from "./link";
+import { Keeper } from "./keeper";
 
 interface Entry {
   scenario: Scenario;
@@ -21,22 +22,26 @@ export class Session<R extends LabRun = LabRun> {
   run: R | null = $state.raw(null);
   /** Why the engine has no run for the scenario; the last good one stays. */
   failure: string | null = $state(null);
-  /** Why the last edit or link was not taken; gone with the next one that is. */
+  /** Why the last edit, link or file was not taken; gone with the next edit that is. */
   refusal: string | null = $state(null);
   /** One sentence about what changed, for the live region. */
   announcement = $state("");
+  /** The scene is the one of the last visit; said until the first edit. */
+  restored = $state(false);
   selectedAnchor: number | null = $state(null);
-  canUndo = $state(false);
-  canRedo = $state(false);
+  /** What undo would take back and redo do again, as the start of a sentence; null where there is nothing. */
+  undoes: string | null = $state(null);
+  redoes: string | null = $state(null);
   /** Counts runs of scenarios that replaced the whole scene (preset, link): the camera then fits again. */
   opened = $state(0);
-  link = $state("");
+  readonly #keeper = new Keeper();
   #history: History<Entry>;
   /** The last scene of each lab one has been in. */
   #left: Record<string, Scenario> = {};
-  #linkTurn = 0;
   #pendingWhat: string | null = "Ready";
   #pendingFit = false;
+  /** What came from outside while a drag was going on; it waits until that ends. */
+  #waiting: (() => void) | null = null;
 
   constructor(scenario: Scenario, labs: readonly Lab[]) {
     this.labs = labs;
@@ -54,18 +59,9 @@ export class Session<R extends LabRun = LabRun> {
 
   /** Ends the edit in progress. An edit that leaves a bad scenario is taken back, with the reason. */
   commit(): boolean {
-    const problems = engine.validate(this.#history.present.scenario);
-    if (problems.length > 0) {
-      this.#history.cancel();
-      this.#show();
-      this.refusal = `${problems[0].message}. The scenario stays as it was.`;
-      return false;
-    }
-    this.refusal = null;
-    this.#history.commit();
-    this.#show();
-    this.#announce(this.#history.present.what);
-    return true;
+    const accepted = this.#settle();
+    this.#openWaiting();
+    return accepted;
   }
 
   /** One edit, or the last state of the one in progress. */
@@ -97,6 +93,23 @@ export class Session<R extends LabRun = LabRun> {
     return this.open(`Lab ${lab.title} opened`, scenario);
   }
 
+  /** Opens the scenario of a link; a bad one is told in a sentence, leaves the address and changes nothing. */
+  openLink(hash: string): Promise<void> {
+    return this.#openFrom("the link", () => readLink(hash, this.labs));
+  }
+
+  /** Opens the scenario of a JSON file. */
+  openFile(file: File): Promise<void> {
+    return this.#openFrom(`the file ${file.name}`, async () =>
+      readText(await textOf(file), `The file ${file.name}`, this.labs),
+    );
+  }
+
+  /** Back to what opens without a link. */
+  startFresh(): boolean {
+    return this.openPreset(this.lab.firstPreset);
+  }
+
   undo(): void {
     const undone = this.#history.undo();
     if (undone) this.#travel(`Undone: ${lowerFirst(undone.what)}`);
@@ -107,15 +120,41 @@ export class Session<R extends LabRun = LabRun> {
     if (redone) this.#travel(`Done again: ${lowerFirst(redone.what)}`);
   }
 
-  /** Opens the scenario of a link; a bad one is told in a sentence and changes nothing. */
-  async openLink(hash: string): Promise<boolean> {
+  async #openFrom(source: string, read: () => Promise<Scenario>): Promise<void> {
     try {
-      const scenario = await readLink(hash, this.labs);
-      return this.open("Scenario opened from the link", scenario);
+      const scenario = await read();
+      this.#waiting = () => this.open(`Scenario opened from ${source}`, scenario);
     } catch (error) {
-      this.refusal = `${sentenceOf(error)} The scene shown is not the link's.`;
+      this.#waiting = () => this.refuse(`${sentenceOf(error)} The scene stays as it was.`);
+    }
+    if (!this.#history.inGesture) this.#openWaiting();
+  }
+
+  /** Says why something from outside was not taken, and lets the address name the scene that is shown. */
+  refuse(sentence: string): void {
+    this.refusal = sentence;
+    this.#keeper.shown(this.scenario);
+  }
+
+  #openWaiting(): void {
+    const open = this.#waiting;
+    this.#waiting = null;
+    open?.();
+  }
+
+  #settle(): boolean {
+    const [problem] = engine.validate(this.#history.present.scenario);
+    if (problem) {
+      this.#history.cancel();
+      this.#show();
+      this.refusal = `${problem.message} The scenario stays as it was.`;
       return false;
     }
+    this.refusal = null;
+    this.#history.commit();
+    this.#show();
+    this.#announce(this.#history.present.what);
+    return true;
   }
 
   #travel(what: string): void {
@@ -124,6 +163,7 @@ export class Session<R extends LabRun = LabRun> {
     this.refusal = null;
     this.#show();
     this.#announce(what);
+    this.#openWaiting();
   }
 
   #show(): void {
@@ -132,14 +172,15 @@ export class Session<R extends LabRun = LabRun> {
     // A run means nothing to another lab than its own.
     if (lab !== this.lab) this.run = null;
     this.lab = lab;
-    this.canUndo = this.#history.canUndo;
-    this.canRedo = this.#history.canRedo;
+    this.undoes = this.#history.canUndo ? this.#history.present.what : null;
+    this.redoes = this.#history.next?.what ?? null;
     scheduleCompute(this.#compute);
   }
 
   #announce(what: string): void {
     this.#pendingWhat = what;
-    void this.#writeLink();
+    this.restored = false;
+    this.#keeper.edited(this.scenario);
   }
 
   #compute = (): void => {
@@ -155,34 +196,6 @@ export class Session<R extends LabRun = LabRun> {
     this.announcement = this.run ? `${this.#pendingWhat}. ${this.lab.describe(this.run)}` : this.#pendingWhat;
     this.#pendingWhat = null;
   };
-
-  async #writeLink(): Promise<void> {
-    const turn = ++this.#linkTurn;
-    const link = await encodeLink(this.scenario);
-    if (turn !== this.#linkTurn) return;
-    this.link = link;
-    history.replaceState(null, "", link);
-  }
-}
-
-/** The scenario a link carries; throws with a sentence where the link or the scenario is bad. */
-export async function readLink(hash: string, labs: readonly Lab[]): Promise<Scenario> {
-  const scenario = await decodeLink(hash);
-  const [problem] = engine.validate(scenario);
-  if (problem) throw new LinkError(`This link holds a scenario that does not work: ${problem.message}`);
-  const missing = firstMissing(labs[0].preset(labs[0].firstPreset), scenario);
-  if (missing)
-    throw new LinkError(`This link leaves out “${missing}”; the page reads complete scenarios only.`);
-  const complete = scenario as Scenario;
-  if (!labOf(complete, labs))
-    throw new LinkError(
-      `This link is for the lab “${complete.view?.["lab"]}”, which this page does not have.`,
-    );
-  return complete;
-}
-
-export function sentenceOf(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
 }
 
 function lowerFirst(text: string): string {

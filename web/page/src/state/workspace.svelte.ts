@@ -3,6 +3,7 @@ import { MediaQuery } from "svelte/reactivity";
 import type { Lab, LabRun } from "../lab";
 import { applyTheme, type Palette, readPalette, type Theme } from "../theme/palette";
 import type { Session } from "./session.svelte";
+import { keep } from "./storage";
 import { Timeline } from "./timeline.svelte";
 
 const narrow = new MediaQuery("max-width: 700px");
@@ -31,7 +32,7 @@ export class Workspace<R extends LabRun = LabRun> {
     readonly session: Session<R>,
     theme: Theme,
   ) {
-    this.setTheme(theme);
+    this.#showTheme(theme);
   }
 
   /** Lets an estimator stand out, or all be equal again. */
@@ -40,6 +41,11 @@ export class Workspace<R extends LabRun = LabRun> {
   }
 
   setTheme(theme: Theme): void {
+    keep("theme", theme);
+    this.#showTheme(theme);
+  }
+
+  #showTheme(theme: Theme): void {
     applyTheme(theme);
     this.theme = theme;
     this.palette = readPalette(theme);

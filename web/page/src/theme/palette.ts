@@ -1,3 +1,4 @@
+import { recall } from "../state/storage";
 import type { Color, Shape } from "../scene/draw-list";
 
 export const THEMES = ["light", "dark", "projector"] as const;
@@ -49,12 +50,11 @@ export function parseHex(hex: string, alpha: number): Color {
 }
 
 export function initialTheme(): Theme {
-  const wanted = new URLSearchParams(location.search).get("theme") ?? localStorage.getItem("theme");
+  const wanted = new URLSearchParams(location.search).get("theme") ?? recall("theme");
   if (THEMES.includes(wanted as Theme)) return wanted as Theme;
   return matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
 }
 
 export function applyTheme(theme: Theme): void {
   document.documentElement.dataset.theme = theme;
-  localStorage.setItem("theme", theme);
 }
