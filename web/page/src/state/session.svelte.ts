@@ -147,7 +147,7 @@ export class Session<R extends LabRun = LabRun> {
     if (problem) {
       this.#history.cancel();
       this.#show();
-      this.refusal = `${problem.message} The scenario stays as it was.`;
+      this.refusal = `${problem.message}. The scenario stays as it was.`;
       return false;
     }
     this.refusal = null;
