@@ -114,4 +114,22 @@ export class Lab {
         new Promise<void>((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => resolve()))),
     );
   }
+
+  async enableAllEstimators(): Promise<void> {
+    for (const box of await this.page.locator("aside").getByRole("checkbox", { name: /KF/ }).all())
+      await box.check();
+  }
+
+  /** Plays a run of so many steps, over and over. */
+  async play(speed: string, steps: number): Promise<void> {
+    await this.type("Steps", String(steps));
+    await this.page.getByLabel("Speed").selectOption(speed);
+    await this.keepPlaying();
+  }
+
+  /** Presses Play where playing has come to its end. */
+  async keepPlaying(): Promise<void> {
+    const play = this.page.getByRole("button", { name: "Play", exact: true });
+    if (await play.isVisible()) await play.click();
+  }
 }
