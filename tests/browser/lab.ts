@@ -46,13 +46,13 @@ export class Lab {
     return (await item.textContent()) ?? "";
   }
 
-  /** The pixel of an anchor: its label stands a fixed way beside it. */
+  /** The pixel of an anchor: its label says where it is. */
   async anchorPixel(number: number): Promise<{ x: number; y: number }> {
     const label = this.page.locator("svg.labels text.anchor").nth(number - 1);
     const box = await this.surface.boundingBox();
     if (!box) throw new Error("the scene is not on the page");
-    const [x, y] = await Promise.all([label.getAttribute("x"), label.getAttribute("y")]);
-    return { x: box.x + Number(x) - 11, y: box.y + Number(y) + 10 };
+    const [x, y] = await Promise.all([label.getAttribute("data-x"), label.getAttribute("data-y")]);
+    return { x: box.x + Number(x), y: box.y + Number(y) };
   }
 
   async drag(number: number, dx: number, dy: number): Promise<void> {

@@ -1,4 +1,4 @@
-import type { View } from "./camera";
+import type { View } from "./view";
 import { type Color, type DrawList, STRIDE } from "./draw-list";
 import { paintMark } from "./mark";
 import type { Renderer } from "./renderer";

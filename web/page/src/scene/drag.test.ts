@@ -1,75 +1,107 @@
 import { describe, expect, test } from "vitest";
-import { type Camera, View } from "./camera";
-import { startDrag } from "./drag";
-import type { Vec3 } from "./geometry";
-import { heightHandle, pick } from "./picking";
+import type { Thing } from "../state/things";
+import type { Camera } from "./camera";
+import { destination, startDrag } from "./drag";
+import { add, type Vec3 } from "./geometry";
+import { heightHandle, inside, pick } from "./picking";
+import { View } from "./view";
 
 const viewport = { width: 800, height: 600 };
-const camera: Camera = { target: [0, 0, 0], yaw: -1, pitch: 0.5, distance: 20 };
+const camera: Camera = { target: [0, 0, 0], yaw: -1, pitch: 0.5, distance: 20, orthographic: false };
 const view = new View(camera, viewport);
 const anchor: Vec3 = [2, -1, 1.5];
 
 describe("dragging", () => {
   test("in the plane follows the pointer and keeps the height", () => {
     const goal: Vec3 = [-3, 2, 1.5];
-    const from = view.project(anchor);
-    const to = view.project(goal);
-    const moved = startDrag(view, anchor, from, "plane", 100)(to.x, to.y);
+    const follow = startDrag(view, anchor, view.project(anchor), "plane", 100);
+    const moved = add(anchor, follow(view.project(goal), null));
     moved.forEach((value, axis) => expect(value).toBeCloseTo(goal[axis], 8));
   });
 
   test("up and down changes the height only", () => {
-    const from = view.project(anchor);
-    const to = view.project([2, -1, 4]);
-    const moved = startDrag(view, anchor, from, "height", 100)(to.x, to.y);
-    expect(moved[0]).toBe(2);
-    expect(moved[1]).toBe(-1);
-    expect(moved[2]).toBeCloseTo(4, 8);
+    const follow = startDrag(view, anchor, view.project(anchor), "height", 100);
+    const shift = follow(view.project([2, -1, 4]), null);
+    expect(shift.slice(0, 2)).toEqual([0, 0]);
+    expect(shift[2]).toBeCloseTo(2.5, 8);
   });
 
   test("a grip beside the centre does not make the anchor jump", () => {
     const { x, y } = view.project(anchor);
-    const follow = startDrag(view, anchor, { x: x + 6, y: y - 4 }, "plane", 100);
-    follow(x + 6, y - 4).forEach((value, axis) => expect(value).toBeCloseTo(anchor[axis], 8));
+    const grip = { x: x + 6, y: y - 4 };
+    const shift = startDrag(view, anchor, grip, "plane", 100)(grip, null);
+    shift.forEach((value) => expect(value).toBeCloseTo(0, 8));
+  });
+
+  test("snaps to multiples of the spacing, only along the axes that change", () => {
+    const off: Vec3 = [2.3, -1.1, 1.37];
+    const follow = startDrag(view, off, view.project(off), "plane", 100);
+    const moved = add(off, follow(view.project([-2.9, 2.2, 1.37]), 0.5));
+    [-3, 2, 1.37].forEach((value, axis) => expect(moved[axis]).toBeCloseTo(value, 9));
+    const lift = startDrag(view, off, view.project(off), "height", 100);
+    const lifted = add(off, lift(view.project([2.3, -1.1, 3.1]), 0.5));
+    [2.3, -1.1, 3].forEach((value, axis) => expect(lifted[axis]).toBeCloseTo(value, 9));
   });
 
   test("seen edge-on the anchor moves in the plane that faces the viewer", () => {
     const level = new View({ ...camera, pitch: 0 }, viewport);
     const from = level.project(anchor);
-    const moved = startDrag(level, anchor, from, "plane", 100)(from.x, from.y - 50);
-    expect(moved[2]).toBeGreaterThan(anchor[2] + 0.5);
-    expect(moved[0]).toBeCloseTo(anchor[0], 6);
+    const shift = startDrag(level, anchor, from, "plane", 100)({ x: from.x, y: from.y - 50 }, null);
+    expect(shift[2]).toBeGreaterThan(0.5);
+    expect(shift[0]).toBeCloseTo(0, 6);
   });
 
   test("never leaves by more than the limit, not even at the horizon", () => {
     const from = view.project(anchor);
     const follow = startDrag(view, anchor, from, "plane", 30);
-    for (let y = from.y; y > -400; y -= 20) {
-      const moved = follow(from.x, y);
-      expect(Math.hypot(moved[0] - 2, moved[1] + 1)).toBeLessThanOrEqual(30 + 1e-9);
-    }
+    for (let y = from.y; y > -400; y -= 20)
+      expect(Math.hypot(...follow({ x: from.x, y }, null))).toBeLessThanOrEqual(30 + 1e-9);
+  });
+
+  test("a tap sends a thing to the place under it at its own height", () => {
+    const goal: Vec3 = [-3, 2, 1.5];
+    const place = destination(view, anchor, view.project(goal));
+    goal.forEach((value, axis) => expect(place?.[axis]).toBeCloseTo(value, 8));
   });
 });
 
 describe("picking", () => {
-  const anchors: Vec3[] = [anchor, [-3, 2, 0]];
+  const things = new Map<Thing, Vec3>([
+    [0, anchor],
+    [1, [-3, 2, 0]],
+    ["start", [1, 1, 0]],
+  ]);
+  const at = (thing: Thing) => view.project(things.get(thing)!);
 
-  test("finds the nearest anchor within reach, and nothing beyond", () => {
-    const { x, y } = view.project(anchors[1]);
-    expect(pick(view, anchors, null, { x: x + 8, y, touch: false })).toEqual({ kind: "anchor", index: 1 });
-    expect(pick(view, anchors, null, { x: x + 20, y, touch: false })).toBeNull();
-    expect(pick(view, anchors, null, { x: x + 20, y, touch: true })).toEqual({ kind: "anchor", index: 1 });
+  test("finds the nearest thing within reach, and nothing beyond", () => {
+    const { x, y } = at(1);
+    const hit = { thing: 1, handle: false };
+    expect(pick(view, things, undefined, { x: x + 8, y, touch: false })).toEqual(hit);
+    expect(pick(view, things, undefined, { x: x + 20, y, touch: false })).toBeNull();
+    expect(pick(view, things, undefined, { x: x + 20, y, touch: true })).toEqual(hit);
+    expect(pick(view, things, undefined, { ...at("start"), touch: false })?.thing).toBe("start");
   });
 
-  test("offers the height handle of the selected anchor only", () => {
+  test("offers the height handle of what was chosen last only", () => {
     const { x, y } = view.project(heightHandle(view, anchor));
-    expect(pick(view, anchors, 0, { x, y, touch: false })).toEqual({ kind: "height", index: 0 });
-    expect(pick(view, anchors, 1, { x, y, touch: false })).toBeNull();
+    expect(pick(view, things, 0, { x, y, touch: false })).toEqual({ thing: 0, handle: true });
+    expect(pick(view, things, 1, { x, y, touch: false })).toBeNull();
   });
 
   test("does not find what is behind the viewer", () => {
     const behind: Vec3 = [view.eye[0] * 2, view.eye[1] * 2, view.eye[2] * 2];
     const { x, y } = view.project(behind);
-    expect(pick(view, [behind], null, { x, y, touch: false })).toBeNull();
+    expect(pick(view, new Map([[0, behind]]), undefined, { x, y, touch: false })).toBeNull();
+  });
+
+  test("a rectangle holds the things in it, whichever way it was drawn", () => {
+    const { x, y } = at(1);
+    const corners = [
+      { x: x - 5, y: y - 5 },
+      { x: x + 5, y: y + 5 },
+    ] as const;
+    expect(inside(view, things, corners[0], corners[1])).toEqual([1]);
+    expect(inside(view, things, corners[1], corners[0])).toEqual([1]);
+    expect(inside(view, things, { x: 0, y: 0 }, { x: 800, y: 600 })).toEqual([0, 1, "start"]);
   });
 });

@@ -1,33 +1,48 @@
-import { backward, type Ray, type View } from "./camera";
+import { backward } from "./camera";
 import { add, dot, scale, sub, type Vec3 } from "./geometry";
+import type { Pixel, Ray, View } from "./view";
 
-/** In the plane through the anchor, or up and down. */
+/** In the plane through the thing, or up and down. */
 export type DragMode = "plane" | "height";
 
 /** Below this sine of the angle between ray and ground the ground runs away under the pointer. */
 const GRAZING = 0.12;
 
 /**
- * Where a dragged point goes as the pointer moves. The grip keeps its offset, so nothing jumps at the start.
- * `limit` is the greatest distance from the start in metres.
+ * How far a dragged thing is from `start` as the pointer moves, in metres. The grip keeps its offset, so nothing jumps
+ * at the start. `limit` is the greatest distance; with a `snap` spacing the coordinates that change become multiples
+ * of it.
  */
 export function startDrag(
   view: View,
   start: Vec3,
-  pointer: { x: number; y: number },
+  pointer: Pixel,
   mode: DragMode,
   limit: number,
-): (x: number, y: number) => Vec3 {
+): (pixel: Pixel, snap: number | null) => Vec3 {
   const solve = mode === "height" ? onVertical(start) : onPlane(view, start);
-  const grip = solve(view.ray(pointer.x, pointer.y)) ?? start;
-  const offset = sub(start, grip);
-  return (x, y) => {
-    const hit = solve(view.ray(x, y));
-    if (hit === null) return start;
-    const moved = sub(add(hit, offset), start);
-    const distance = Math.hypot(...moved);
-    return add(start, distance > limit ? scale(moved, limit / distance) : moved);
+  const grip = solve(view.ray(pointer)) ?? start;
+  return (pixel, snap) => {
+    const hit = solve(view.ray(pixel));
+    if (hit === null) return [0, 0, 0];
+    const shift = sub(hit, grip);
+    const distance = Math.hypot(...shift);
+    const bounded = distance > limit ? scale(shift, limit / distance) : shift;
+    return snap === null ? bounded : snapped(start, bounded, snap);
   };
+}
+
+/** Where a tap sends a thing: into its level plane, or the plane that faces the viewer. */
+export function destination(view: View, from: Vec3, pixel: Pixel): Vec3 | null {
+  return onPlane(view, from)(view.ray(pixel));
+}
+
+function snapped(start: Vec3, shift: Vec3, spacing: number): Vec3 {
+  const along = (axis: 0 | 1 | 2) =>
+    Math.abs(shift[axis]) < 1e-9 * spacing
+      ? 0
+      : Math.round((start[axis] + shift[axis]) / spacing) * spacing - start[axis];
+  return [along(0), along(1), along(2)];
 }
 
 /** The level plane through the point; the plane that faces the viewer where the level one is seen edge-on. */

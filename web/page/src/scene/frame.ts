@@ -3,22 +3,21 @@ import { pointAt } from "../run";
 import type { Scenario } from "../scenario";
 import { add, length, lift, niceBelow, scale, sub, type Vec3 } from "./geometry";
 
-/** What the camera is asked to show: all anchors, or the body along its track. */
-export type Subject = "anchors" | "body";
+/** What the camera is asked to show: everything, or the body from near. */
+export type Subject = "all" | "body";
 
 /** The part of space that is shown. It changes when the view is fitted, never while something is dragged. */
 export interface Frame {
-  readonly centre: Vec3;
-  /** Metres from the centre to the farthest point. */
-  readonly radius: number;
-  /** What must be in view: anchors or track, with some room around. */
+  /** Scenes in the plane have no height. */
+  readonly flat: boolean;
+  /** What is fitted into the view. */
   readonly points: readonly Vec3[];
-  /** Metres the ground grid reaches to either side of the centre, along x and y. */
-  readonly reach: readonly [number, number];
-  /** Height of the ground grid. */
+  /** Opposite corners of the box around everything, its middle, and metres from there to a corner. */
+  readonly whole: readonly [Vec3, Vec3];
+  readonly centre: Vec3;
+  readonly radius: number;
+  /** Height of the floor. */
   readonly ground: number;
-  /** Metres between grid lines. */
-  readonly spacing: number;
   /** How many times larger the body and the errors around it are drawn than they are. */
   readonly magnification: number;
 }
@@ -27,32 +26,41 @@ export interface Frame {
 const VISIBLE_SHARE = 0.05;
 const DRAWN_SHARE = 0.18;
 
-export function frameOf(scenario: Scenario, run: LabRun | null, subject: Subject): Frame {
-  const anchors = run ? run.anchors : scenario.anchors;
-  const track = run ? trackPoints(run) : [lift(scenario.start.position)];
+/** How many times its own radius is seen around a body. */
+const AROUND_BODY = 2;
+
+export function frameOf(scenario: Scenario, run: LabRun | null, subject: Subject, step: number): Frame {
+  const anchors = (run ? run.anchors : scenario.anchors).map(lift);
+  const track = [lift(scenario.start.position), ...(run ? trackPoints(run) : [])];
   const bodyRadius = Math.max(1e-6, ...scenario.sensors.map((sensor) => length(lift(sensor))));
-  const subjects = subject === "anchors" ? [...anchors.map(lift), ...track] : track;
-  const margin = subject === "anchors" ? bodyRadius : 3 * bodyRadius;
-  const [low, high] = box(subjects, margin);
-  const centre = scale(add(low, high), 0.5);
-  const radius = length(sub(high, centre));
-  const ground = groundBelow(low[2] + margin, radius);
-  const share = bodyRadius / radius;
+  const whole = box([...anchors, ...track], bodyRadius);
+  const near = box([bodyPosition(scenario, run, step)], AROUND_BODY * bodyRadius);
+  const radius = halfDiagonal(whole);
+  const ground = groundBelow(whole[0][2] + bodyRadius, radius);
+  const feet = anchors.map(([x, y]): Vec3 => [x, y, ground]);
+  const share = bodyRadius / halfDiagonal(subject === "all" ? whole : near);
   return {
-    centre,
+    flat: scenario.dimension === 2,
+    points: subject === "all" ? [...anchors, ...feet, ...corners(box(track, bodyRadius))] : corners(near),
+    whole,
+    centre: scale(add(...whole), 0.5),
     radius,
-    points: corners(low, high, subject === "anchors" ? ground : low[2]),
-    reach: [high[0] - centre[0], high[1] - centre[1]],
     ground,
-    spacing: niceBelow(radius / 2),
     magnification: share < VISIBLE_SHARE ? roundMagnification(DRAWN_SHARE / share) : 1,
   };
 }
 
-/** Corners of the box, which stands on the ground. */
-function corners(low: Vec3, high: Vec3, ground: number): Vec3[] {
-  const [bottom, top] = [Math.min(low[2], ground), high[2]];
-  return [bottom, top].flatMap((z) =>
+/** The true position of the body at a step, or where it starts while there is no run. */
+export function bodyPosition(scenario: Scenario, run: LabRun | null, step: number): Vec3 {
+  return run ? pointAt(run.truth.positions, step, run.dimension) : lift(scenario.start.position);
+}
+
+type Box = readonly [Vec3, Vec3];
+
+const halfDiagonal = ([low, high]: Box): number => length(sub(high, low)) / 2;
+
+function corners([low, high]: Box): Vec3[] {
+  return [low[2], high[2]].flatMap((z) =>
     [low[0], high[0]].flatMap((x) => [low[1], high[1]].map((y): Vec3 => [x, y, z])),
   );
 }
@@ -61,7 +69,7 @@ function trackPoints(run: LabRun): Vec3[] {
   return Array.from({ length: run.steps }, (_, step) => pointAt(run.truth.positions, step, run.dimension));
 }
 
-function box(points: Vec3[], margin: number): [Vec3, Vec3] {
+function box(points: readonly Vec3[], margin: number): Box {
   const low = (axis: 0 | 1 | 2) => Math.min(...points.map((point) => point[axis])) - margin;
   const high = (axis: 0 | 1 | 2) => Math.max(...points.map((point) => point[axis])) + margin;
   return [

@@ -1,40 +1,130 @@
-import type { Label, Layer, SceneInput } from "./input";
-import type { Vec3 } from "./geometry";
 import { formatNumber } from "../controls/format";
+import { thingPoints } from "./anchors";
+import type { Vec3 } from "./geometry";
+import { type Grid, gridOf } from "./grid";
+import type { Label, Layer, SceneInput } from "./input";
+import type { Pixel, View } from "./view";
 
-/** The grid on the floor, with its scale in metres along two sides. */
-export const ground: Layer = ({ frame, palette }, out) => {
+/** The grid on the floor with a scale in metres along the sides nearest to the viewer, and one upward. */
+export const ground: Layer = (input, out) => {
+  const { frame, palette } = input;
+  const grid = gridOf(input.view, frame, thingPoints(input).values());
+  const { xs, ys } = grid;
+  if (xs.length === 0 || ys.length === 0) return;
   const style = { width: 1, color: palette.rgba("grid") };
   const strong = { width: 1.75, color: palette.rgba("line") };
-  const { xs, ys } = gridLines({ frame });
-  for (const x of xs)
-    out.line([x, ys[0], frame.ground], [x, ys[ys.length - 1], frame.ground], x === 0 ? strong : style);
-  for (const y of ys)
-    out.line([xs[0], y, frame.ground], [xs[xs.length - 1], y, frame.ground], y === 0 ? strong : style);
+  const [x0, x1, y0, y1] = [xs[0], xs.at(-1)!, ys[0], ys.at(-1)!];
+  for (const x of xs) out.line([x, y0, frame.ground], [x, y1, frame.ground], x === 0 ? strong : style);
+  for (const y of ys) out.line([x0, y, frame.ground], [x1, y, frame.ground], y === 0 ? strong : style);
+  const pole = poleOf(grid, input);
+  if (pole) out.line(pole(frame.ground), pole(grid.zs.at(-1)!), style);
 };
 
-/** Scale numbers on the two sides nearest to the viewer. */
-export function groundLabels({ frame, view }: SceneInput): Label[] {
-  const { xs, ys } = gridLines({ frame });
-  const margin = 0.3 * frame.spacing;
-  const nearY = view.eye[1] < frame.centre[1] ? ys[0] - margin : ys[ys.length - 1] + margin;
-  const nearX = view.eye[0] < frame.centre[0] ? xs[0] - margin : xs[xs.length - 1] + margin;
-  const tick = (at: Vec3, value: number, axis: string): Label => ({
-    at,
-    text: value === 0 ? `${axis} 0 m` : formatNumber(value),
-    kind: "tick",
-  });
+export function groundLabels(input: SceneInput): Label[] {
+  const { frame, view } = input;
+  const grid = gridOf(view, frame, thingPoints(input).values());
+  const { xs, ys, zs } = grid;
+  if (xs.length === 0 || ys.length === 0) return [];
+  const near = (values: readonly number[], axis: 0 | 1): [number, number] => {
+    const ends: [number, number] = [values[0], values.at(-1)!];
+    return view.eye[axis] < (ends[0] + ends[1]) / 2 ? ends : [ends[1], ends[0]];
+  };
+  const [nearY, farY] = near(ys, 1);
+  const [nearX, farX] = near(xs, 0);
+  const pole = poleOf(grid, input);
   return [
-    ...xs.map((x) => tick([x, nearY, frame.ground], x, "x")),
-    ...ys.map((y) => tick([nearX, y, frame.ground], y, "y")),
+    ...scaleAlong("x", xs, view, (x) => [
+      [x, nearY, frame.ground],
+      [x, farY, frame.ground],
+    ]),
+    ...scaleAlong("y", ys, view, (y) => [
+      [nearX, y, frame.ground],
+      [farX, y, frame.ground],
+    ]),
+    ...(pole ? uprightScale(zs, view, pole) : []),
   ];
 }
 
-function gridLines({ frame }: Pick<SceneInput, "frame">): { xs: number[]; ys: number[] } {
-  const along = (axis: 0 | 1) => {
-    const first = Math.floor((frame.centre[axis] - frame.reach[axis]) / frame.spacing);
-    const last = Math.ceil((frame.centre[axis] + frame.reach[axis]) / frame.spacing);
-    return Array.from({ length: last - first + 1 }, (_, i) => (first + i) * frame.spacing);
-  };
-  return { xs: along(0), ys: along(1) };
+/** The corner of the grid that stands farthest to the left, as a function of the height; none where seen from above. */
+function poleOf({ xs, ys, zs }: Grid, { view }: SceneInput): ((height: number) => Vec3) | null {
+  if (zs.length < 2 || Math.abs(view.camera.pitch) > 1.2) return null;
+  const corners = [xs[0], xs.at(-1)!].flatMap((x) => [ys[0], ys.at(-1)!].map((y): Vec3 => [x, y, zs[0]]));
+  const left = corners.reduce((a, b) => (view.project(b).x < view.project(a).x ? b : a));
+  return (height) => [left[0], left[1], height];
+}
+
+/** Pixels between the end of a line and its number, and that a scale must be long to be told. */
+const BEYOND = 13;
+const SHORTEST = 60;
+
+/** A number at the near end of each line, or where the line comes into view. The middle one says axis and unit. */
+function scaleAlong(
+  axis: string,
+  values: readonly number[],
+  view: View,
+  line: (value: number) => readonly [Vec3, Vec3],
+): Label[] {
+  const ends = values.flatMap((value) => {
+    const end = visibleEnd(view, ...line(value));
+    return end ? [{ value, ...end }] : [];
+  });
+  if (ends.length < 2) return [];
+  const [first, last] = [ends[0].pixel, ends.at(-1)!.pixel];
+  if (Math.hypot(last.x - first.x, last.y - first.y) < SHORTEST) return [];
+  const middle = ends[Math.floor(ends.length / 2)].value;
+  return ends.map(({ value, at, offset }) => ({
+    id: `${axis} ${formatNumber(value)}`,
+    at,
+    text: value === middle ? `${axis} = ${formatNumber(value)} m` : formatNumber(value),
+    kind: "tick",
+    offset,
+  }));
+}
+
+function uprightScale(zs: readonly number[], view: View, pole: (height: number) => Vec3): Label[] {
+  const [low, high] = [view.project(pole(zs[0])), view.project(pole(zs.at(-1)!))];
+  if (Math.hypot(high.x - low.x, high.y - low.y) < SHORTEST) return [];
+  return zs.map((z, index) => ({
+    id: `z ${formatNumber(z)}`,
+    at: pole(z),
+    text: index === zs.length - 1 ? `z = ${formatNumber(z)} m` : formatNumber(z),
+    kind: "tick",
+    offset: { x: index === zs.length - 1 ? -30 : -14, y: 0 },
+  }));
+}
+
+/** CSS pixels from the edge of the view within which no number stands. */
+const MARGIN = 26;
+
+interface End {
+  readonly at: Vec3;
+  readonly pixel: Pixel;
+  /** From the end to where its number stands: on along the line. */
+  readonly offset: Pixel;
+}
+
+/** The first point of a line that is in view, walking from its near end; null where none is. */
+function visibleEnd(view: View, near: Vec3, far: Vec3): End | null {
+  const { width, height } = view.viewport;
+  const shows = ({ x, y, depth }: ReturnType<View["project"]>) =>
+    depth > 0 && x >= MARGIN && y >= MARGIN && x <= width - MARGIN && y <= height - MARGIN;
+  const at = (share: number): Vec3 => [
+    near[0] + share * (far[0] - near[0]),
+    near[1] + share * (far[1] - near[1]),
+    near[2],
+  ];
+  const steps = 48;
+  for (let i = 0; i <= steps; i++) {
+    const pixel = view.project(at(i / steps));
+    if (!shows(pixel)) continue;
+    const away = view.project(at(Math.min(1, (i + 1) / steps)));
+    const length = Math.hypot(pixel.x - away.x, pixel.y - away.y) || 1;
+    const reach = i === 0 ? BEYOND : 0;
+    return {
+      at: at(i / steps),
+      pixel,
+      offset: { x: ((pixel.x - away.x) / length) * reach, y: ((pixel.y - away.y) / length) * reach },
+    };
+  }
+  return null;
 }

@@ -1,10 +1,17 @@
 import type { LabRun } from "../lab";
 import type { Scenario } from "../scenario";
+import type { Thing } from "../state/things";
 import type { Palette } from "../theme/palette";
-import type { View } from "./camera";
 import type { DrawList } from "./draw-list";
 import type { Frame } from "./frame";
 import type { Vec3 } from "./geometry";
+import type { Pixel, View } from "./view";
+
+/** Which uncertainty is drawn: ellipsoids of the position, fans of the axes. */
+export interface UncertaintyShown {
+  readonly position: boolean;
+  readonly orientation: boolean;
+}
 
 /** Everything a layer of the scene may look at. */
 export interface SceneInput<R extends LabRun = LabRun> {
@@ -14,8 +21,9 @@ export interface SceneInput<R extends LabRun = LabRun> {
   readonly frame: Frame;
   readonly view: View;
   readonly palette: Palette;
-  readonly selectedAnchor: number | null;
-  readonly hoveredAnchor: number | null;
+  readonly selected: readonly Thing[];
+  readonly hovered: Thing | null;
+  readonly uncertainty: UncertaintyShown;
 }
 
 /** Adds its shapes to the picture. */
@@ -23,8 +31,12 @@ export type Layer<R extends LabRun = LabRun> = (input: SceneInput<R>, out: DrawL
 
 /** A text that stays beside a point of the scene. */
 export interface Label {
+  /** The same from picture to picture. */
+  readonly id: string;
   readonly at: Vec3;
   readonly text: string;
-  readonly kind: "anchor" | "tick" | "axis";
+  readonly kind: "anchor" | "start" | "axis" | "tick";
   readonly strong?: boolean;
+  /** CSS pixels from the point to the middle of the text, where one place is better than the others. */
+  readonly offset?: Pixel;
 }

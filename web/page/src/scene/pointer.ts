@@ -1,144 +1,147 @@
-import { type Camera, orbit, pan, type View, zoom } from "./camera";
+import { zoomTo } from "./camera";
 import { startDrag } from "./drag";
-import type { Vec3 } from "./geometry";
+import { dragThings, frameThings, type Gesture, moveCamera, pinched, type SceneHands } from "./gestures";
 import { type Hit, pick } from "./picking";
+import type { Pixel } from "./view";
 
-/** What the pointer may look at and change. */
-export interface PointerTarget {
-  view(): View;
-  anchors(): readonly Vec3[];
-  selected(): number | null;
-  /** Anchors that are drawn anew for every trial cannot be dragged. */
-  movable(): boolean;
-  dragLimit(): number;
-  setCamera(camera: Camera): void;
-  hover(index: number | null): void;
-  select(index: number | null): void;
-  move(index: number, position: Vec3, event: PointerEvent): void;
-  drop(): void;
+/** CSS pixels a pointer may tremble and still be a click. */
+const CLICK_SLACK = { mouse: 4, touch: 10 };
+/** Two clicks are one double click within this time and distance. */
+const DOUBLE = { milliseconds: 400, pixels: 24 };
+
+interface Press {
+  readonly at: Pixel;
+  readonly hit: Hit | null;
+  readonly gesture: Gesture;
+  readonly touch: boolean;
+  /** Ctrl or the tool: a click takes a thing out of what is chosen if it was there before. */
+  readonly takesOut: boolean;
+  /** A button that never clicks, as the right one. */
+  readonly silent: boolean;
+  moved: boolean;
 }
-
-interface Place {
-  x: number;
-  y: number;
-}
-
-/** Pixels a pointer may tremble and still be a click. */
-const CLICK_SLACK = 4;
-const RADIANS_PER_PIXEL = 0.008;
 
 /**
- * One pointer on an anchor drags it (Shift: up and down), elsewhere it turns the scene; Shift, the right or the
- * middle button move the scene, the wheel goes nearer. Two fingers move, turn and stretch.
+ * One pointer on a thing drags what is chosen (Shift: up and down; Ctrl: to the grid), elsewhere it turns the scene.
+ * Shift, the right or the middle button move the scene, the wheel goes nearer, two fingers move, turn and stretch.
  */
 export class PointerControl {
   readonly #element: HTMLElement;
-  readonly #target: PointerTarget;
-  readonly #places = new Map<number, Place>();
-  #drag: { index: number; follow: (x: number, y: number) => Vec3 } | null = null;
-  #pressed: Place | null = null;
-  #moved = false;
-  #panning = false;
+  readonly #hands: SceneHands;
+  readonly #places = new Map<number, Pixel>();
+  #press: Press | null = null;
+  #lastClick = { time: -Infinity, at: { x: 0, y: 0 } };
 
-  constructor(element: HTMLElement, target: PointerTarget) {
+  constructor(element: HTMLElement, hands: SceneHands) {
     this.#element = element;
-    this.#target = target;
+    this.#hands = hands;
     element.addEventListener("pointerdown", this.#down);
     element.addEventListener("pointermove", this.#move);
     element.addEventListener("pointerup", this.#up);
-    element.addEventListener("pointercancel", this.#up);
-    element.addEventListener("pointerleave", () => target.hover(null));
+    element.addEventListener("pointercancel", (event) => {
+      this.#places.delete(event.pointerId);
+      this.cancel();
+    });
+    element.addEventListener("pointerleave", () => hands.leave());
     element.addEventListener("contextmenu", (event) => event.preventDefault());
     element.addEventListener("wheel", this.#wheel, { passive: false });
   }
 
-  #place(event: PointerEvent | WheelEvent): Place {
+  /** Takes back what the pointer is doing; false where it does nothing. */
+  cancel(): boolean {
+    if (!this.#press?.moved) return false;
+    this.#press.gesture.cancel();
+    this.#press = null;
+    return true;
+  }
+
+  #pixel(event: PointerEvent | WheelEvent): Pixel {
     const box = this.#element.getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };
   }
 
   #hit(event: PointerEvent): Hit | null {
     const touch = event.pointerType === "touch";
-    return pick(this.#target.view(), this.#target.anchors(), this.#target.selected(), {
-      ...this.#place(event),
-      touch,
-    });
+    const hands = this.#hands;
+    return pick(hands.view(), hands.points(), hands.selected().at(-1), { ...this.#pixel(event), touch });
   }
 
   #down = (event: PointerEvent): void => {
-    const place = this.#place(event);
-    this.#places.set(event.pointerId, place);
+    this.#places.set(event.pointerId, this.#pixel(event));
     this.#element.setPointerCapture(event.pointerId);
-    if (this.#places.size > 1) return this.#endDrag();
-    this.#pressed = place;
-    this.#moved = false;
-    this.#panning = event.button !== 0;
-    const hit = event.button === 0 ? this.#hit(event) : null;
-    if (!hit) {
-      this.#panning ||= event.shiftKey;
-      return;
-    }
-    this.#target.select(hit.index);
-    if (!this.#target.movable()) return;
-    const start = this.#target.anchors()[hit.index];
-    const mode = hit.kind === "height" || event.shiftKey ? "height" : "plane";
-    const follow = startDrag(this.#target.view(), start, place, mode, this.#target.dragLimit());
-    this.#drag = { index: hit.index, follow };
+    if (this.#places.size > 1) return this.#release();
+    const several = event.ctrlKey || event.metaKey || this.#hands.tool() === "several";
+    const hit = event.button === 0 && this.#hands.tool() !== "destination" ? this.#hit(event) : null;
+    const was = hit !== null && this.#hands.selected().includes(hit.thing);
+    if (hit && !was) this.#hands.select(several ? [...this.#hands.selected(), hit.thing] : [hit.thing]);
+    this.#press = {
+      at: this.#pixel(event),
+      hit,
+      gesture: this.#gesture(event, hit, several),
+      touch: event.pointerType === "touch",
+      takesOut: several && was,
+      silent: event.button !== 0,
+      moved: false,
+    };
   };
+
+  #gesture(event: PointerEvent, hit: Hit | null, several: boolean): Gesture {
+    const hands = this.#hands;
+    if (hit === null || !hands.movable(hit.thing)) {
+      if (event.button === 0 && several) return frameThings(hands, this.#pixel(event));
+      const pans = hands.planar() || event.button !== 0 || event.shiftKey;
+      return moveCamera(hands, pans ? "pan" : "turn");
+    }
+    const mode = hit.handle || (event.shiftKey && !hands.planar()) ? "height" : "plane";
+    const start = hands.points().get(hit.thing) ?? [0, 0, 0];
+    return dragThings(hands, startDrag(hands.view(), start, this.#pixel(event), mode, hands.dragLimit()));
+  }
 
   #move = (event: PointerEvent): void => {
-    const place = this.#place(event);
+    const now = this.#pixel(event);
     const before = this.#places.get(event.pointerId);
-    if (!before) {
-      this.#target.hover(this.#hit(event)?.index ?? null);
-      return;
+    if (!before) return this.#hands.hover(this.#hit(event)?.thing ?? null, now);
+    const other = [...this.#places].find(([id]) => id !== event.pointerId)?.[1];
+    this.#places.set(event.pointerId, now);
+    if (other) {
+      const hands = this.#hands;
+      return hands.setCamera(pinched(hands.view(), hands.planar(), [other, before], [other, now]));
     }
-    if (this.#places.size === 2) this.#pinch(event.pointerId, before, place);
-    else this.#follow(event, before, place);
-    this.#places.set(event.pointerId, place);
+    const press = this.#press;
+    if (!press) return;
+    const slack = press.touch ? CLICK_SLACK.touch : CLICK_SLACK.mouse;
+    press.moved ||= Math.hypot(now.x - press.at.x, now.y - press.at.y) > slack;
+    if (press.moved) press.gesture.move(before, now, event);
   };
-
-  #follow(event: PointerEvent, before: Place, place: Place): void {
-    const from = this.#pressed ?? before;
-    this.#moved ||= Math.hypot(place.x - from.x, place.y - from.y) > CLICK_SLACK;
-    if (!this.#moved) return;
-    const view = this.#target.view();
-    const [dx, dy] = [place.x - before.x, place.y - before.y];
-    if (this.#drag) this.#target.move(this.#drag.index, this.#drag.follow(place.x, place.y), event);
-    else if (this.#panning) this.#target.setCamera(pan(view.camera, dx, dy, view.viewport));
-    else this.#target.setCamera(orbit(view.camera, -dx * RADIANS_PER_PIXEL, dy * RADIANS_PER_PIXEL));
-  }
-
-  /** The middle of two fingers moves the scene, their distance stretches it, their angle turns it. */
-  #pinch(id: number, before: Place, place: Place): void {
-    const other = [...this.#places].find(([key]) => key !== id)?.[1];
-    if (!other) return;
-    this.#moved = true;
-    const view = this.#target.view();
-    const [old, now] = [span(other, before), span(other, place)];
-    const moved = pan(view.camera, (place.x - before.x) / 2, (place.y - before.y) / 2, view.viewport);
-    this.#target.setCamera(orbit(zoom(moved, now.length / old.length), now.angle - old.angle, 0));
-  }
 
   #up = (event: PointerEvent): void => {
     this.#places.delete(event.pointerId);
-    if (!this.#moved && !this.#drag && !this.#panning && this.#pressed) this.#target.select(null);
-    this.#endDrag();
-    if (this.#places.size === 0) this.#pressed = null;
+    const press = this.#press;
+    this.#release();
+    if (press && !press.moved && !press.silent) this.#click(press, event);
   };
 
-  #endDrag(): void {
-    if (this.#drag && this.#moved) this.#target.drop();
-    this.#drag = null;
+  /** The end of a gesture, also because a second finger came: two fingers are another gesture. */
+  #release(): void {
+    if (this.#press?.moved) this.#press.gesture.end();
+    this.#press = null;
+  }
+
+  #click({ at, hit, takesOut }: Press, event: PointerEvent): void {
+    const hands = this.#hands;
+    const last = this.#lastClick;
+    const near = Math.hypot(at.x - last.at.x, at.y - last.at.y) < DOUBLE.pixels;
+    const double = near && event.timeStamp - last.time < DOUBLE.milliseconds && hands.tool() === "move";
+    this.#lastClick = { time: double ? -Infinity : event.timeStamp, at };
+    if (double) hands.doubleClick(at, hit?.thing ?? null);
+    else if (takesOut && hit) hands.toggle(hit.thing);
+    else if (!hit) hands.clickBeside(at);
+    else if (hands.tool() === "move" && !event.ctrlKey && !event.metaKey) hands.select([hit.thing]);
   }
 
   #wheel = (event: WheelEvent): void => {
     event.preventDefault();
     const pixels = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? event.deltaY * 16 : event.deltaY;
-    this.#target.setCamera(zoom(this.#target.view().camera, Math.exp(-pixels * 0.0012)));
+    this.#hands.setCamera(zoomTo(this.#hands.view(), this.#pixel(event), Math.exp(-pixels * 0.0012)));
   };
-}
-
-function span(a: Place, b: Place): { length: number; angle: number } {
-  return { length: Math.max(1, Math.hypot(b.x - a.x, b.y - a.y)), angle: Math.atan2(b.y - a.y, b.x - a.x) };
 }

@@ -1,6 +1,6 @@
 import { createWasmScene, type WasmScene } from "../engine";
-import type { View } from "./camera";
 import type { Color, DrawList } from "./draw-list";
+import type { View } from "./view";
 
 export const BACKENDS = ["webgpu", "webgl", "canvas2d"] as const;
 export type Backend = (typeof BACKENDS)[number];

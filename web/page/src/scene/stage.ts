@@ -1,6 +1,6 @@
 import { Canvas2dRenderer } from "./canvas2d";
-import type { View } from "./camera";
 import type { Color, DrawList } from "./draw-list";
+import type { View } from "./view";
 import { type Backend, type Renderer, startModule, wantedBackends } from "./renderer";
 
 interface Act {

@@ -1,6 +1,13 @@
 import { expect, test } from "vitest";
 import type { Scenario } from "../scenario";
-import { addAnchor, coordinateStep, moveAnchor, removeAnchor, roundTo, setEstimatorEnabled } from "./edit";
+import {
+  addAnchors,
+  coordinateStep,
+  newAnchorPosition,
+  removeAnchors,
+  roundTo,
+  setEstimatorEnabled,
+} from "./edit";
 
 const scenario = {
   dimension: 3,
@@ -14,14 +21,13 @@ const scenario = {
 
 test("edits leave the old scenario alone", () => {
   const before = JSON.stringify(scenario);
-  moveAnchor(scenario, 1, [9, 9, 9]);
-  addAnchor(scenario);
-  removeAnchor(scenario, 0);
+  addAnchors(scenario, [[9, 9, 9]]);
+  removeAnchors(scenario, [0]);
   expect(JSON.stringify(scenario)).toBe(before);
 });
 
 test("an added anchor is a new place with all coordinates", () => {
-  const { anchors } = addAnchor(scenario);
+  const { anchors } = addAnchors(scenario, [newAnchorPosition(scenario)]);
   expect(anchors).toHaveLength(4);
   expect(anchors[3]).toHaveLength(3);
   expect(anchors.slice(0, 3)).not.toContainEqual(anchors[3]);

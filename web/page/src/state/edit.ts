@@ -2,18 +2,12 @@ import type { Scenario } from "../scenario";
 
 /** Edits of a scenario as pure functions: the old one stays as it was. */
 
-export function moveAnchor(scenario: Scenario, index: number, position: readonly number[]): Scenario {
-  const anchors = scenario.anchors.map((anchor, i) => (i === index ? [...position] : anchor));
-  return { ...scenario, anchors };
+export function addAnchors(scenario: Scenario, positions: readonly (readonly number[])[]): Scenario {
+  return { ...scenario, anchors: [...scenario.anchors, ...positions.map((position) => [...position])] };
 }
 
-/** Adds an anchor where it helps to be seen: above the middle of the others, off their plane. */
-export function addAnchor(scenario: Scenario): Scenario {
-  return { ...scenario, anchors: [...scenario.anchors, newAnchorPosition(scenario)] };
-}
-
-export function removeAnchor(scenario: Scenario, index: number): Scenario {
-  return { ...scenario, anchors: scenario.anchors.filter((_, i) => i !== index) };
+export function removeAnchors(scenario: Scenario, indices: readonly number[]): Scenario {
+  return { ...scenario, anchors: scenario.anchors.filter((_, index) => !indices.includes(index)) };
 }
 
 export function setEstimatorEnabled(
@@ -41,7 +35,8 @@ export function roundTo(value: number, step: number): number {
   return Number((Math.round(value / step) * step).toFixed(digits)) + 0;
 }
 
-function newAnchorPosition(scenario: Scenario): number[] {
+/** Where a new anchor helps to be seen: above the middle of the others, off their plane. */
+export function newAnchorPosition(scenario: Scenario): number[] {
   const step = coordinateStep(scenario);
   const count = Math.max(1, scenario.anchors.length);
   const extent = Math.max(1, ...scenario.anchors.flat().map(Math.abs));

@@ -6,6 +6,7 @@ import { readLink, readText, sentenceOf, textOf } from "./document";
 import { scheduleCompute } from "./frames";
 import { History } from "./history";
 import { Keeper } from "./keeper";
+import { existing, type Thing } from "./things";
 
 interface Entry {
   scenario: Scenario;
@@ -28,7 +29,8 @@ export class Session<R extends LabRun = LabRun> {
   announcement = $state("");
   /** The scene is the one of the last visit; said until the first edit. */
   restored = $state(false);
-  selectedAnchor: number | null = $state(null);
+  /** What is chosen in the scene; moved, typed and removed together. */
+  selected: readonly Thing[] = $state.raw([]);
   /** What undo would take back and redo do again, as the start of a sentence; null where there is nothing. */
   undoes: string | null = $state(null);
   redoes: string | null = $state(null);
@@ -64,6 +66,13 @@ export class Session<R extends LabRun = LabRun> {
     return accepted;
   }
 
+  /** Takes the edit in progress back. */
+  cancel(): void {
+    this.#history.cancel();
+    this.#show();
+    this.#openWaiting();
+  }
+
   /** One edit, or the last state of the one in progress. */
   edit(what: string, next: Scenario): boolean {
     this.#history.preview({ scenario: next, what });
@@ -72,7 +81,7 @@ export class Session<R extends LabRun = LabRun> {
 
   /** An edit that replaces the scene as a whole. */
   open(what: string, next: Scenario): boolean {
-    this.selectedAnchor = null;
+    this.selected = [];
     const accepted = this.edit(what, next);
     this.#pendingFit ||= accepted;
     return accepted;
@@ -158,8 +167,7 @@ export class Session<R extends LabRun = LabRun> {
   }
 
   #travel(what: string): void {
-    const anchors = this.#history.present.scenario.anchors.length;
-    if (this.selectedAnchor !== null && this.selectedAnchor >= anchors) this.selectedAnchor = null;
+    this.selected = existing(this.#history.present.scenario, this.selected);
     this.refusal = null;
     this.#show();
     this.#announce(what);

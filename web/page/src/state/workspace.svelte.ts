@@ -4,6 +4,7 @@ import type { Lab, LabRun } from "../lab";
 import { applyTheme, type Palette, readPalette, type Theme } from "../theme/palette";
 import type { Session } from "./session.svelte";
 import { keep } from "./storage";
+import type { Thing } from "./things";
 import { Timeline } from "./timeline.svelte";
 
 const narrow = new MediaQuery("max-width: 700px");
@@ -14,8 +15,8 @@ export class Workspace<R extends LabRun = LabRun> {
   readonly timeline = new Timeline();
   theme: Theme = $state("light");
   palette: Palette = $state.raw()!;
-  /** The anchor under the pointer, or whose row of the table has the focus. */
-  hoveredAnchor: number | null = $state(null);
+  /** What is under the pointer. */
+  hovered: Thing | null = $state(null);
   /** The one estimator that stands out in the plots, or null. */
   emphasis: string | null = $state(null);
 

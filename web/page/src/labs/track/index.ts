@@ -4,7 +4,7 @@ import type { Run } from "../../run";
 import { add } from "../../scene/geometry";
 import { anchorLabels, anchors } from "../../scene/anchors";
 import { ground, groundLabels } from "../../scene/ground";
-import type { SceneInput } from "../../scene/input";
+import type { Label, SceneInput } from "../../scene/input";
 import Controls from "./controls/Panel.svelte";
 import { bodyAxes, estimates, ranges, truth, uncertainty } from "./layers";
 import { eventSteps, plots } from "./plots";
@@ -42,10 +42,18 @@ export const lab: Lab<Run> = {
   Readout,
 };
 
-function axisLabels(input: SceneInput<Run>, run: Run) {
-  return bodyAxes(input, run).map(({ start, vector }, axis) => ({
-    at: add(start, vector),
-    text: "xyz"[axis],
-    kind: "axis" as const,
-  }));
+/** Letters just beyond the tips of the axes. */
+function axisLabels(input: SceneInput<Run>, run: Run): Label[] {
+  return bodyAxes(input, run).map(({ start, vector }, axis) => {
+    const at = add(start, vector);
+    const [from, to] = [input.view.project(start), input.view.project(at)];
+    const share = 11 / Math.max(1, Math.hypot(to.x - from.x, to.y - from.y));
+    return {
+      id: `axis ${axis}`,
+      at,
+      text: "xyz"[axis],
+      kind: "axis",
+      offset: { x: (to.x - from.x) * share, y: (to.y - from.y) * share },
+    };
+  });
 }

@@ -101,8 +101,8 @@ export const estimates: Layer<Run> = (input, out) => {
 };
 
 /** The 95 % ellipsoids of the position: what each estimator claims, and the bound as a full one. */
-export const uncertainty: Layer<Run> = ({ run, step, palette, frame }, out) => {
-  if (!run) return;
+export const uncertainty: Layer<Run> = ({ run, step, palette, frame, uncertainty: shown }, out) => {
+  if (!run || !shown.position) return;
   const draw = (centre: Vec3, covariances: Float64Array, color: Color) => {
     const axes = ellipsoidAxes(covariances, step, run.dimension, frame.magnification);
     if (axes && axes.every((axis) => Math.hypot(...axis) < 3 * frame.radius))
