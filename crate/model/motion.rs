@@ -23,6 +23,13 @@ impl<const D: usize> Motion<D> {
         Self { interval, velocity: SVector::zeros(), angular_velocity: [0.0; 3] }
     }
 
+    /// Both motions at once, over the same interval: velocities add.
+    #[must_use]
+    pub fn plus(&self, other: &Self) -> Self {
+        let angular_velocity = core::array::from_fn(|i| self.angular_velocity[i] + other.angular_velocity[i]);
+        Self { interval: self.interval, velocity: self.velocity + other.velocity, angular_velocity }
+    }
+
     /// `F_Q = exp(interval hat(omega))` (\[T\] eq. 10; `Omega` carries the sampling time).
     pub fn rotation(&self) -> Rotation<D> {
         Rotation::exp(&self.angular_velocity.map(|x| x * self.interval))

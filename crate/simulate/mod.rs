@@ -39,13 +39,13 @@ pub fn simulate<const D: usize>(scenario: &Scenario, trial: u64) -> Result<Recor
     let setup = scenario.setup::<D>()?;
     let model = anchored(scenario, &setup, trial)?;
     let mut stream = Stream::new(scenario.seed, trial, Part::Motion);
-    let truth = trajectory(&setup, &scenario.motion, scenario.steps, &mut stream);
+    let truth = trajectory(&setup, &scenario.motion, &mut stream);
     let mut epochs = Vec::with_capacity(truth.len());
     for (k, pose) in truth.iter().enumerate() {
         let exact = model.exact_ranges(&(*pose).into())?;
         let mut stream = Stream::new(scenario.seed, trial, Part::Epoch(k));
         epochs.push(Epoch {
-            motion: setup.motion,
+            motion: setup.motions[k],
             ranges: measure(&model, &exact, scenario.missing_probability, &mut stream)?,
             true_ranges: (scenario.weights == WeightSource::True).then_some(exact),
         });

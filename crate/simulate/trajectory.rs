@@ -10,7 +10,7 @@ use crate::math::rotation::{Angles, rotation_angles};
 use crate::model::motion::Motion;
 use crate::model::scenario::{MotionSettings, Setup};
 
-/// Moves the body from its start through all epochs.
+/// Moves the body from its start through all epochs; `omega` and `velocity` are those of each interval.
 ///
 /// ```text
 /// R_k = exp(tau (hat(omega) + hat(e))) R_(k-1),  e ~ N(0, sigma_omega^2 I)     \[T\] eq. 11, Omega = tau hat(omega)
@@ -22,15 +22,14 @@ use crate::model::scenario::{MotionSettings, Setup};
 pub fn trajectory<const D: usize>(
     setup: &Setup<D>,
     disturbance: &MotionSettings,
-    steps: usize,
     stream: &mut Stream,
 ) -> Vec<Pose<D>> {
     let mut pose = setup.start;
-    let mut step = || {
-        pose = disturbed_step(&pose, &setup.motion, disturbance, stream);
+    let step = |motion: &Motion<D>| {
+        pose = disturbed_step(&pose, motion, disturbance, stream);
         pose
     };
-    (0..steps).map(|_| step()).collect()
+    setup.motions.iter().map(step).collect()
 }
 
 fn disturbed_step<const D: usize>(

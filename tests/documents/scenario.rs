@@ -4,12 +4,13 @@ use rangelab::Error;
 use rangelab::model::document::entries::PoseEntries;
 use rangelab::model::estimator_settings::EstimatorSettings;
 use rangelab::model::noise::RangeNoise;
+use rangelab::model::path::{PathSettings, Side};
 use rangelab::model::presets::{PRESETS, preset};
 use rangelab::model::recording::RecordingDocument;
 use rangelab::model::run::Run;
 use rangelab::model::scenario::Scenario;
 use rangelab::simulate::simulate;
-use serde_json::json;
+use serde_json::{Value, json};
 
 use super::{Rule, as_value, breaks_only, changed, problems_of};
 
@@ -93,6 +94,38 @@ fn every_rule_of_what_moves_and_estimates_can_be_broken() {
 }
 
 #[test]
+fn every_rule_of_a_path_can_be_broken() {
+    let turn = |radius: f64, period: f64| json!({"kind": "turn", "radius": radius, "period": period});
+    let eight = json!({"kind": "figure_eight", "radius": -1, "period": 8});
+    let helix =
+        |radius: f64, climb: f64| json!({"kind": "helix", "radius": radius, "period": 8, "climb": climb});
+    let drawn = |points: Value| json!({"kind": "drawn", "points": points, "closed": true, "period": 8});
+    let start = preset("room").unwrap().start.position;
+    let near = vec![start[0] + 1e-7, start[1], start[2]];
+    let many: Vec<[f64; 3]> = (0..201).map(|i| [f64::from(i), 0.0, 0.0]).collect();
+    let rules: Vec<Rule> = vec![
+        ("/motion/path", turn(0.0, 8.0), "motion.path.radius", "0"),
+        ("/motion/path", turn(1e10, 8.0), "motion.path.radius", "1e10"),
+        ("/motion/path", turn(1.0, 0.0), "motion.path.period", "0"),
+        ("/motion/path", turn(1.0, 1e10), "motion.path.period", "1e10"),
+        ("/motion/path", eight, "motion.path.radius", "-1"),
+        ("/motion/path", helix(0.0, 1.0), "motion.path.radius", "0"),
+        ("/motion/path", helix(1.0, -1e10), "motion.path.climb", "-1e10"),
+        ("/motion/path", drawn(json!([])), "motion.path.points", "0 long"),
+        ("/motion/path", drawn(json!(many)), "motion.path.points", "201 long"),
+        ("/motion/path", drawn(json!([[1, 2, 3], [1, 2]])), "motion.path.points[1]", "2 long"),
+        ("/motion/path", drawn(json!([[1, 2, 1e10]])), "motion.path.points[0][2]", "1e10"),
+        ("/motion/path", drawn(json!([near])), "motion.path.points[0]", "where the path starts"),
+        ("/motion/path", drawn(json!([[1, 2, 3], [1, 2, 3]])), "motion.path.points[1]", "the point before"),
+        ("/motion/path", drawn(json!([[1, 2, 3], start])), "motion.path.points[1]", "returns by itself"),
+    ];
+    breaks_only_in_the_room(&rules);
+    let document = as_value(&preset("planar").unwrap().to_json());
+    let in_plane: Rule = ("/motion/path", helix(1.0, 1.0), "motion.path.kind", "helix");
+    breaks_only(&document, &[in_plane], |text| problems_of(Scenario::from_json(text)));
+}
+
+#[test]
 fn too_many_ranges_are_refused_before_they_are_drawn() {
     let mut scenario = preset("room").unwrap();
     scenario.anchors = vec![vec![1.0, 2.0, 3.0]; 1000];
@@ -134,7 +167,7 @@ fn all_problems_are_listed_at_once() {
 
 #[test]
 fn numbers_that_are_not_finite_are_refused_in_every_field() {
-    let spoil: [fn(&mut Scenario, f64); 14] = [
+    let spoil: [fn(&mut Scenario, f64); 18] = [
         |s, x| s.anchors[0][0] = x,
         |s, x| s.sensors[0][0] = x,
         |s, x| s.noise = RangeNoise::Range { sigma: x },
@@ -143,6 +176,16 @@ fn numbers_that_are_not_finite_are_refused_in_every_field() {
         |s, x| s.interval = x,
         |s, x| s.motion.velocity[0] = x,
         |s, x| s.motion.sigma_t = x,
+        |s, x| s.motion.path = Some(PathSettings::FigureEight { radius: x, period: 1.0 }),
+        |s, x| s.motion.path = Some(PathSettings::FigureEight { radius: 1.0, period: x }),
+        |s, x| {
+            s.motion.path =
+                Some(PathSettings::Helix { radius: 1.0, period: 1.0, climb: x, side: Side::Left });
+        },
+        |s, x| {
+            let points = vec![vec![0.0, 0.0, x]];
+            s.motion.path = Some(PathSettings::Drawn { points, closed: false, period: 1.0 });
+        },
         |s, x| s.start.orientation[0][0] = x,
         |s, x| s.start.position[0] = x,
         |s, x| s.initial.orientation[0][0] = x,
@@ -168,6 +211,8 @@ fn text_that_is_no_scenario_gives_a_sentence() {
         (String::from("[]"), "the scenario cannot be read"),
         (changed(&document, "/colour", &json!("red")), "unknown field `colour`"),
         (changed(&document, "/motion/colour", &json!("red")), "unknown field `colour`"),
+        (changed(&document, "/motion/path", &json!({"kind": "loop"})), "unknown variant `loop`"),
+        (changed(&document, "/motion/path", &json!({"kind": "turn", "radius": 1})), "missing field `period`"),
         (changed(&document, "/noise/colour", &json!("red")), "unknown field `colour`"),
         (changed(&document, "/noise/kind", &json!("loud")), "unknown variant `loud`"),
         (changed(&document, "/anchors/0/0", &json!(null)), "invalid type: null"),

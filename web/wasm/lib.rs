@@ -9,6 +9,7 @@ use rangelab::model::estimator_settings::EstimatorSettings;
 use rangelab::model::presets::PRESETS;
 use rangelab::model::recording::RecordingDocument;
 use rangelab::model::scenario::Scenario;
+use rangelab::model::topologies;
 use rangelab::study::track_run::{run_document, run_scenario};
 use rangelab::{Error, Problem};
 use serde::Serialize;
@@ -36,6 +37,12 @@ pub fn presets() -> String {
 #[wasm_bindgen]
 pub fn preset(name: &str) -> Result<String, JsError> {
     Ok(rangelab::model::presets::preset(name)?.to_json())
+}
+
+/// The named bodies of a dimension: JSON `[{name, title, sensors}]`, the two farthest sensors 1 m apart.
+#[wasm_bindgen]
+pub fn topologies(dimension: usize) -> String {
+    json(&topologies::topologies(dimension))
 }
 
 /// All that is wrong with a scenario: JSON `[{path, value, limit, message}]`, empty if it can be run. Text that is no

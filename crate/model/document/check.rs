@@ -40,6 +40,7 @@ impl Limit {
     pub const ANGULAR_VELOCITY_NOISE: Self = Self::from(0.0, 1e6, " rad/s");
     pub const ANGLE_NOISE: Self = Self::from(0.0, 1e6, " rad");
     pub const INTERVAL: Self = Self::above_zero(1e6, " s");
+    pub const PERIOD: Self = Self::from(1e-6, 1e9, " s");
     pub const PROBABILITY: Self = Self::from(0.0, 1.0, "");
     pub const VARIANCE: Self = Self::above_zero(1e12, "");
     pub const EPSILON: Self = Self::from(0.0, 1e6, "");

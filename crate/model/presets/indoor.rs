@@ -60,6 +60,7 @@ fn walked(name: &str, anchors: &[[f64; 3]]) -> Scenario {
             angular_velocity: vec![0.05, 0.1, 0.3],
             sigma_omega: 0.1,
             sigma_t: 0.01,
+            ..MotionSettings::default()
         },
     )
 }
@@ -78,6 +79,7 @@ pub fn planar() -> Scenario {
             angular_velocity: vec![0.2],
             sigma_omega: 0.1,
             sigma_t: 0.02,
+            ..MotionSettings::default()
         },
     )
 }

@@ -24,6 +24,7 @@ pub fn fixed() -> Scenario {
             angular_velocity: vec![radians(1.0); 3],
             sigma_omega: radians(0.1),
             sigma_t: 1.0,
+            ..MotionSettings::default()
         },
     );
     // The paper goes on from the projected orientation.

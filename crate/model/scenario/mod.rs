@@ -17,6 +17,7 @@ use super::document::{parse, write};
 use super::estimator_settings::EstimatorSettings;
 use super::motion::ProcessNoise;
 use super::noise::RangeNoise;
+use super::path::PathSettings;
 use super::ranging::Weighting;
 use crate::error::{Problem, Result};
 use crate::math::rotation::rotation_angles;
@@ -113,15 +114,20 @@ pub enum WeightSource {
     True,
 }
 
-/// How the body really moves: constant velocities, disturbed in every step.
+/// How the body really moves: constant velocities and, added to them, the motion along a path; disturbed in every step.
+///
+/// Estimators are told the undisturbed motion: the displacement over each interval and the turn over it, exactly.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(export))]
 #[serde(deny_unknown_fields, default)]
 pub struct MotionSettings {
-    /// Linear velocity in the world frame, m/s; zero by default.
+    /// Linear velocity in the world frame, m/s; zero by default. A path drifts with it as a whole.
     pub velocity: Vec<f64>,
-    /// Angular velocity in the world frame, rad/s: 3 numbers, 1 in the plane; zero by default.
+    /// Angular velocity in the world frame, rad/s: 3 numbers, 1 in the plane; zero by default. It bends no path: the
+    /// body spins while it follows one.
     pub angular_velocity: Vec<f64>,
+    /// What the body follows; null, the default, for constant velocities alone.
+    pub path: Option<PathSettings>,
     /// Standard deviation of the disturbance of the angular velocity about each axis (\[T\] eq. 11), rad/s.
     pub sigma_omega: f64,
     /// Standard deviation of the disturbance of each coordinate of the position in a step (\[T\] eq. 14), m.

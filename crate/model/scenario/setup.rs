@@ -1,5 +1,8 @@
 //! A scenario with its dimension known to the compiler.
 
+use alloc::vec;
+use alloc::vec::Vec;
+
 use super::{InitialSettings, Scenario};
 use crate::error::{Error, Result};
 use crate::math::pose::{Pose, Theta};
@@ -8,6 +11,7 @@ use crate::model::document::check::accept;
 use crate::model::document::entries::{angles, matrix_from_rows, points, vector};
 use crate::model::epoch::Initial;
 use crate::model::motion::{Motion, ProcessNoise};
+use crate::model::path::Path;
 use crate::model::ranging::RangeModel;
 use crate::model::topology::Topology;
 
@@ -16,10 +20,10 @@ use crate::model::topology::Topology;
 pub struct Setup<const D: usize> {
     /// Anchors (as given, not redrawn), topology, noise.
     pub model: RangeModel<D>,
-    /// True pose before the first epoch.
+    /// True pose before the first epoch; on a path it looks along it.
     pub start: Pose<D>,
-    /// Undisturbed motion over each interval.
-    pub motion: Motion<D>,
+    /// Undisturbed motion over each interval, one a step.
+    pub motions: Vec<Motion<D>>,
     /// What estimators believe before the first epoch.
     pub initial: Initial<D>,
     /// The process noise that estimators assume.
@@ -34,6 +38,7 @@ impl Scenario {
     pub fn setup<const D: usize>(&self) -> Result<Setup<D>> {
         accept("scenario", self.validate())?;
         require_dimension::<D>(self.dimension)?;
+        let (start, motions) = self.undisturbed(self.start.to_pose()?);
         Ok(Setup {
             model: RangeModel::new(
                 Anchors::new(points(&self.anchors))?,
@@ -41,15 +46,24 @@ impl Scenario {
                 self.noise,
                 self.weighting,
             )?,
-            start: self.start.to_pose()?,
-            motion: Motion {
-                interval: self.interval,
-                velocity: vector(&self.motion.velocity),
-                angular_velocity: angles::<D>(&self.motion.angular_velocity),
-            },
+            start,
+            motions,
             initial: self.initial.typed(),
             process: self.process,
         })
+    }
+
+    /// Where the body starts, and its motion over each interval: that of the path plus the constant velocities.
+    fn undisturbed<const D: usize>(&self, start: Pose<D>) -> (Pose<D>, Vec<Motion<D>>) {
+        let constant = Motion {
+            interval: self.interval,
+            velocity: vector(&self.motion.velocity),
+            angular_velocity: angles::<D>(&self.motion.angular_velocity),
+        };
+        let Some(settings) = &self.motion.path else { return (start, vec![constant; self.steps]) };
+        let path = Path::new(settings, &start);
+        let along = path.motions(self.interval).take(self.steps);
+        (path.start(), along.map(|motion| motion.plus(&constant)).collect())
     }
 }
 

@@ -8,6 +8,7 @@ use crate::math::rotation::rotation_angles;
 use crate::model::document::check::{Check, Limit, MAX_STEPS};
 use crate::model::document::write;
 use crate::model::motion::ProcessNoise;
+use crate::model::path;
 
 /// Seeds up to here are exact in JavaScript.
 const MAX_SEED: u64 = 1 << 53;
@@ -35,6 +36,9 @@ pub fn problems(scenario: &Scenario) -> Vec<Problem> {
         check.problem("seed", scenario.seed, format_args!("0 to {MAX_SEED} (2^53)"));
     }
     motion(&mut check, &scenario.motion, dimension);
+    if let Some(settings) = &scenario.motion.path {
+        path::check(&mut check, settings, dimension, &scenario.start.position);
+    }
     check.pose("start", &scenario.start, dimension);
     initial(&mut check, &scenario.initial, dimension);
     process(&mut check, &scenario.process);

@@ -4,6 +4,7 @@
  */
 import initEstimators, * as estimators from "./wasm/rangelab/rangelab_wasm.js";
 import type { Scene } from "./wasm/scene-webgpu/rangelab_scene.js";
+import type { NamedTopology } from "./generated/NamedTopology";
 import type { Preset } from "./generated/Preset";
 import type { Problem } from "./generated/Problem";
 import type { BoundRun, EstimatorRun, Run } from "./run";
@@ -27,6 +28,11 @@ export function presets(): Preset[] {
 
 export function preset(name: string): Scenario {
   return JSON.parse(estimators.preset(name));
+}
+
+/** The bodies that have a name, their two farthest sensors 1 m apart. */
+export function topologies(dimension: number): NamedTopology[] {
+  return JSON.parse(estimators.topologies(dimension));
 }
 
 export function validate(scenario: unknown): Complaint[] {
