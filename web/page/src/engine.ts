@@ -4,11 +4,10 @@
  */
 import initEstimators, * as estimators from "./wasm/rangelab/rangelab_wasm.js";
 import type { Scene } from "./wasm/scene-webgpu/rangelab_scene.js";
-import type { NamedTopology } from "./generated/NamedTopology";
 import type { Preset } from "./generated/Preset";
 import type { Problem } from "./generated/Problem";
 import type { BoundRun, EstimatorRun, Run } from "./run";
-import type { Scenario } from "./scenario";
+import type { NamedTopology, Scenario } from "./scenario";
 
 export type WasmScene = Scene;
 

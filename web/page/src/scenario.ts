@@ -3,6 +3,8 @@ import type { EstimatorName } from "./generated/EstimatorName";
 /** The documents as the page names them; the types themselves are written by the crate. */
 export type { EstimatorName } from "./generated/EstimatorName";
 export type { EstimatorSettings } from "./generated/EstimatorSettings";
+export type { NamedTopology } from "./generated/NamedTopology";
+export type { PathSettings } from "./generated/PathSettings";
 export type { RangeNoise } from "./generated/RangeNoise";
 export type { Scenario } from "./generated/Scenario";
 
