@@ -4,6 +4,9 @@ import { expect, test } from "@playwright/test";
 import { atMost } from "./budgets/budget";
 import { DIST, type Encoding, Host } from "./budgets/host";
 import { Lab } from "./lab";
+import { graphicsBrowser } from "./playwright.config";
+
+test.use({ launchOptions: graphicsBrowser });
 
 test("the estimators' module is small", ({}, info) => {
   const [file] = readdirSync(`${DIST}/assets`).filter((name) => /^rangelab_wasm_bg-.*\.wasm$/.test(name));

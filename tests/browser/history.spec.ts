@@ -15,7 +15,7 @@ test("undo and redo walk through every kind of edit; a drag is one", async ({ pa
   await page.getByRole("checkbox", { name: "KF-ortho" }).uncheck();
   await record(/KF-ortho switched off/);
   await page.getByRole("button", { name: "Add an anchor" }).click();
-  await record(/Anchor added/);
+  await record(/Anchor 7 added/);
   expect(new Set(states).size).toBe(states.length);
 
   await expect(page.getByRole("button", { name: "Undo" })).toHaveAttribute("title", /Anchor added/);
@@ -40,7 +40,7 @@ test("two hundred edits are undone one by one, and a reset is undone too", async
   await seed.focus();
   for (let i = 0; i < 200; i++) await page.keyboard.press("ArrowUp");
   const first = Number(await seed.inputValue()) - 200;
-  await page.getByRole("button", { name: "Reset" }).click();
+  await page.getByRole("button", { name: "Reset", exact: true }).click();
   await expect(seed).toHaveValue(String(first));
   await page.keyboard.press("Control+z");
   await expect(seed).toHaveValue(String(first + 200));

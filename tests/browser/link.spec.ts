@@ -32,7 +32,7 @@ test("a link pasted into the open page is an edit that can be undone", async ({ 
   const before = await lab.readout();
   const hash = await changedLink(lab);
   const after = await lab.readout();
-  await page.getByRole("button", { name: "Reset" }).click();
+  await page.getByRole("button", { name: "Reset", exact: true }).click();
   await expect.poll(() => lab.readout()).toBe(before);
   await page.evaluate((next) => (location.hash = next), hash);
   await expect.poll(() => lab.readout()).toBe(after);
@@ -45,7 +45,7 @@ test("a link that arrives during a drag opens when the drag ends; each is an edi
 }) => {
   const lab = await Lab.open(page);
   const [start, hash] = [await lab.anchor(2), await changedLink(lab)];
-  await page.getByRole("button", { name: "Reset" }).click();
+  await page.getByRole("button", { name: "Reset", exact: true }).click();
   await expect.poll(() => lab.anchor(2)).toBe(start);
   const from = await lab.anchorPixel(3);
   await page.mouse.move(from.x, from.y);

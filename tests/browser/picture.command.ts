@@ -1,6 +1,9 @@
 import { fileURLToPath } from "node:url";
 import { test } from "@playwright/test";
 import { Lab } from "./lab";
+import { graphicsBrowser } from "./playwright.config";
+
+test.use({ launchOptions: graphicsBrowser });
 
 const file = fileURLToPath(new URL("../../web/page/picture.png", import.meta.url));
 

@@ -2,11 +2,13 @@ import { mkdirSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { test } from "@playwright/test";
 import { Lab } from "./lab";
+import { graphicsBrowser, plainBrowser } from "./playwright.config";
 import { enter, SIZES, STATES, THEMES } from "./states";
 
 const folder = process.env["PICTURES"] ?? fileURLToPath(new URL("pictures", import.meta.url));
 const renderer = process.env["RENDERER"] ?? "canvas2d";
 
+test.use({ launchOptions: renderer === "canvas2d" ? plainBrowser : graphicsBrowser });
 test.beforeAll(() => mkdirSync(folder, { recursive: true }));
 
 for (const state of STATES)

@@ -1,19 +1,30 @@
 import { defineConfig } from "@playwright/test";
 
-/** Debian's Chromium with software drivers for WebGPU and WebGL2; no machine needs a graphics card. */
-export const chromiumArguments = [
+const quiet = [
   "--no-sandbox",
   "--disable-quic",
   "--no-first-run",
   "--disable-background-networking",
   "--disable-component-update",
   "--disable-sync",
-  "--enable-unsafe-webgpu",
-  "--enable-features=Vulkan",
-  "--use-vulkan=swiftshader",
-  "--use-angle=swiftshader",
-  "--ignore-gpu-blocklist",
 ];
+const executablePath = process.env["CHROMIUM"] ?? "/usr/bin/chromium";
+
+/** Without a graphics device the browser draws pages and plain canvases itself: much faster than a device in software. */
+export const plainBrowser = { executablePath, args: [...quiet, "--disable-gpu"] };
+
+/** WebGPU and WebGL2 by software drivers: for tests of what draws by them, `test.use({ launchOptions: graphicsBrowser })`. */
+export const graphicsBrowser = {
+  executablePath,
+  args: [
+    ...quiet,
+    "--enable-unsafe-webgpu",
+    "--enable-features=Vulkan",
+    "--use-vulkan=swiftshader",
+    "--use-angle=swiftshader",
+    "--ignore-gpu-blocklist",
+  ],
+};
 
 /** Another run on the same machine takes another one: PAGE_PORT=4300. */
 const port = Number(process.env["PAGE_PORT"] ?? 4183);
@@ -21,7 +32,7 @@ const port = Number(process.env["PAGE_PORT"] ?? 4183);
 export default defineConfig({
   testDir: ".",
   outputDir: "results",
-  // Software rendering takes all cores: tests beside each other would only wait for each other.
+  // A page and its browser take all cores: tests beside each other would only wait for each other.
   workers: 1,
   timeout: 60_000,
   expect: { timeout: 10_000 },
@@ -29,10 +40,7 @@ export default defineConfig({
   use: {
     baseURL: `http://localhost:${port}/`,
     viewport: { width: 1440, height: 900 },
-    launchOptions: {
-      executablePath: process.env["CHROMIUM"] ?? "/usr/bin/chromium",
-      args: chromiumArguments,
-    },
+    launchOptions: plainBrowser,
     permissions: ["clipboard-read", "clipboard-write"],
   },
   webServer: {

@@ -1,5 +1,8 @@
 import { expect, test } from "@playwright/test";
 import { Lab } from "./lab";
+import { graphicsBrowser } from "./playwright.config";
+
+test.use({ launchOptions: graphicsBrowser });
 
 const backends = ["webgpu", "webgl", "canvas2d"] as const;
 

@@ -1,7 +1,7 @@
 import { createServer } from "node:net";
 import { chromium } from "@playwright/test";
 import lighthouse, { desktopConfig } from "lighthouse";
-import { chromiumArguments } from "../playwright.config";
+import { plainBrowser } from "../playwright.config";
 
 export interface Score {
   readonly category: string;
@@ -14,8 +14,8 @@ export interface Score {
 export async function scores(address: string, form: "desktop" | "mobile"): Promise<Score[]> {
   const port = await freePort();
   const browser = await chromium.launch({
-    executablePath: process.env["CHROMIUM"] ?? "/usr/bin/chromium",
-    args: [...chromiumArguments, `--remote-debugging-port=${port}`],
+    ...plainBrowser,
+    args: [...plainBrowser.args, `--remote-debugging-port=${port}`],
   });
   try {
     const result = await lighthouse(

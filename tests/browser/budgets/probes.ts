@@ -5,7 +5,6 @@ import type { Lab } from "../lab";
 export interface Firsts {
   picture: number;
   estimate: number;
-  renderer: number;
 }
 
 /** To be called before the page is opened. */
@@ -15,7 +14,6 @@ export async function watchFirsts(page: Page): Promise<void> {
     const awaited: Record<string, string> = {
       picture: ".host canvas",
       estimate: "[data-estimator] td",
-      renderer: '.scene:not([data-backend=""])',
     };
     Object.assign(window, { firsts });
     const observer = new MutationObserver(() => {
