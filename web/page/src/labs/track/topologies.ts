@@ -1,49 +1,7 @@
-/** Bodies by name: where their sensors sit, centred on the body's origin, one metre from end to end. */
+import { topologies } from "../../engine";
+import type { NamedTopology } from "../../scenario";
 
-export interface Topology {
-  readonly name: string;
-  readonly sensors: readonly (readonly number[])[];
-}
-
-const SIGNS = [-1, 1];
-const SQUARE = [
-  [-1, -1],
-  [1, -1],
-  [1, 1],
-  [-1, 1],
-];
-
-const SHAPES: Record<number, Record<string, number[][]>> = {
-  2: {
-    Triangle: onCircle(3),
-    Square: SQUARE,
-    Cross: [
-      [1, 0],
-      [0, 1],
-      [-1, 0],
-      [0, -1],
-    ],
-    Rod: SIGNS.map((x) => [x, 0]),
-  },
-  3: {
-    Pyramid: [...SQUARE.map(([x, y]) => [x, y, -0.4]), [0, 0, 1.6]],
-    Tetrahedron: [
-      [1, 1, 1],
-      [1, -1, -1],
-      [-1, 1, -1],
-      [-1, -1, 1],
-    ],
-    Cube: SIGNS.flatMap((x) => SIGNS.flatMap((y) => SIGNS.map((z) => [x, y, z]))),
-    Cross: [0, 1, 2].flatMap((axis) => SIGNS.map((sign) => [0, 0, 0].with(axis, sign))),
-    "Flat triangle": onCircle(3).map((point) => [...point, 0]),
-    "Flat square": SQUARE.map((point) => [...point, 0]),
-    Rod: SIGNS.map((x) => [x, 0, 0]),
-  },
-};
-
-export function topologiesIn(dimension: number): Topology[] {
-  return Object.entries(SHAPES[dimension]).map(([name, points]) => ({ name, sensors: scaled(points, 1) }));
-}
+/** Bodies in other sizes than that in which they come. */
 
 /** Largest distance between two sensors, m. */
 export function sizeOf(sensors: readonly (readonly number[])[]): number {
@@ -57,9 +15,9 @@ export function scaled(sensors: readonly (readonly number[])[], size: number): n
 }
 
 /** The body that these sensors make in whatever size; null where it is none of those with a name. */
-export function topologyOf(sensors: readonly (readonly number[])[]): string | null {
+export function topologyOf(sensors: readonly (readonly number[])[]): NamedTopology | null {
   const size = sizeOf(sensors);
-  const fits = ({ sensors: shape }: Topology) =>
+  const fits = ({ sensors: shape }: NamedTopology) =>
     shape.length === sensors.length &&
     shape.every(
       (point, index) =>
@@ -69,16 +27,9 @@ export function topologyOf(sensors: readonly (readonly number[])[]): string | nu
         ) <
         1e-4 * size,
     );
-  return topologiesIn(sensors[0].length).find(fits)?.name ?? null;
+  return topologies(sensors[0].length).find(fits) ?? null;
 }
 
 function distance(one: readonly number[], other: readonly number[]): number {
   return Math.hypot(...one.map((value, axis) => value - other[axis]));
-}
-
-function onCircle(count: number): number[][] {
-  return Array.from({ length: count }, (_, index) => {
-    const angle = (2 * Math.PI * index) / count;
-    return [Math.cos(angle), Math.sin(angle)];
-  });
 }

@@ -52,3 +52,17 @@ function angleNoise(path: string, label: string, unit: string): NumberSetting {
 function positionNoise(path: string, label: string): NumberSetting {
   return { path, label, unit: "m", scale: { min: 0.001, max: 10, log: true, zero: true } };
 }
+
+export const RADIUS: NumberSetting = {
+  path: "motion.path.radius",
+  label: "Radius",
+  unit: "m",
+  scale: { min: 0.05, max: 1000, log: true },
+};
+export const PERIOD: NumberSetting = {
+  path: "motion.path.period",
+  label: "Period",
+  unit: "s",
+  scale: { min: 0.1, max: 1000, log: true },
+};
+export const CLIMB: NumberSetting = { path: "motion.path.climb", label: "Climb a turn", unit: "m" };
