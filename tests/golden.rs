@@ -8,9 +8,10 @@ mod fingerprint;
 use std::fs;
 use std::path::PathBuf;
 
-use fingerprint::fingerprints;
-use rangelab::model::presets::{PRESETS, Preset};
+use fingerprint::{fingerprints, study_fingerprint};
+use rangelab::model::presets::{PRESETS, Preset, preset};
 use rangelab::model::run::Run;
+use rangelab::study::monte_carlo::MonteCarlo;
 use rangelab::study::track_run::run_scenario;
 
 fn file(preset: &Preset) -> PathBuf {
@@ -46,10 +47,28 @@ fn one_bit_changes_one_line_and_the_text() {
     assert_eq!(changed, [clean.estimators[1].name.name(), "json"]);
 }
 
+/// Two blocks, the second cut short, joined; in the plane and in space.
+fn studies() -> String {
+    let study = |name: &str| {
+        let scenario = preset(name).unwrap();
+        let study = MonteCarlo::new(&scenario, 27).unwrap();
+        let mut sum = study.start();
+        (0..study.blocks()).for_each(|index| sum.merge(&study.block(index).unwrap()).unwrap());
+        study_fingerprint(name, &sum.to_numbers())
+    };
+    study("planar") + &study("room")
+}
+
+#[test]
+fn studies_give_the_same_bits_as_ever() {
+    assert_eq!(studies(), include_str!("golden/studies.txt"));
+}
+
 #[test]
 #[ignore = "writes the golden files anew"]
 fn write_the_golden_files() {
     for preset in &PRESETS {
         fs::write(file(preset), fingerprints(&run(preset))).unwrap();
     }
+    fs::write(file(&PRESETS[0]).with_file_name("studies.txt"), studies()).unwrap();
 }

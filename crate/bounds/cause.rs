@@ -108,7 +108,7 @@ pub(super) fn describe_flat<const D: usize>(
     spread: &Spread<D>,
     dimensions: usize,
 ) -> String {
-    let distance = points.iter().map(|p| distance_from_flat(p, spread, dimensions)).fold(0.0, f64::max);
+    let distance = spread.thickness(points, dimensions);
     let size = points.iter().map(SVector::norm).fold(0.0, f64::max);
     let (preposition, flat) = FLATS[dimensions];
     if distance <= 1e-12 * size {
@@ -116,12 +116,6 @@ pub(super) fn describe_flat<const D: usize>(
     } else {
         format!("within {} of one {flat}", metres(distance))
     }
-}
-
-/// Distance of a point from the flat of so many dimensions that fits its cloud best, m.
-fn distance_from_flat<const D: usize>(point: &SVector<f64, D>, spread: &Spread<D>, dimensions: usize) -> f64 {
-    let lever = point - spread.centroid;
-    sqrt((dimensions..D).map(|k| lever.dot(&spread.directions.column(k))).map(|x| x * x).sum())
 }
 
 fn unseen_motion<const D: usize>(information: &FisherInformation<D>) -> String {

@@ -3,7 +3,7 @@
 use nalgebra::SMatrix;
 
 use crate::math::block::BlockMatrix;
-use crate::math::rotation::Rotation;
+use crate::math::rotation::{AngleMatrix, Rotation};
 use crate::math::tangent::TangentMatrix;
 
 /// One of the bounds along a recording.
@@ -89,13 +89,12 @@ pub struct Bound<const D: usize> {
 impl<const D: usize> Bound<D> {
     /// A bound on all entries of `[Q | t]`.
     ///
-    /// To first order the rotation nearest to `Qhat` errs by `phi_i = vec(R hat(e_i))^T vec(Qhat - R)/2`, so its angle
-    /// variance is `tr(T^T P T)/4`.
+    /// Its angle variance is that of the nearest rotation ([`TangentMatrix::of_nearest_pose`]).
     pub fn linear(matrix: BlockMatrix<D>, rotation: Option<&Rotation<D>>) -> Self {
         Self {
             matrix: BoundMatrix::Linear(matrix),
             orientation_trace: matrix.orientation_trace(),
-            angle_variance: rotation.map(|r| 0.25 * TangentMatrix::restrict(&matrix, r).angle_trace()),
+            angle_variance: rotation.map(|r| TangentMatrix::of_nearest_pose(&matrix, r).angle_trace()),
             position_trace: matrix.position_block().trace(),
         }
     }
@@ -107,6 +106,17 @@ impl<const D: usize> Bound<D> {
             orientation_trace: 2.0 * matrix.angle_trace(),
             angle_variance: Some(matrix.angle_trace()),
             position_trace: matrix.shift_block().trace(),
+        }
+    }
+
+    /// The bound on the covariance of the error's rotation vector in the world frame, rad^2, at the true orientation; for
+    /// a linear bound that of the rotation nearest to `Qhat`. Its trace is the angle variance.
+    pub fn rotation_block_in_world(&self, truth: &Rotation<D>) -> AngleMatrix {
+        match &self.matrix {
+            BoundMatrix::Linear(matrix) => {
+                TangentMatrix::of_nearest_pose(matrix, truth).rotation_block_in_world(truth)
+            }
+            BoundMatrix::Tangent(matrix) => matrix.rotation_block_in_world(truth),
         }
     }
 

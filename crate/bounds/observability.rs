@@ -58,7 +58,7 @@ pub fn observability<const D: usize>(information: &FisherInformation<D>) -> Obse
     Observability {
         anchor_rank: anchors.rank(),
         anchor_condition: condition(&anchors),
-        anchor_thickness: anchors.thickness(information.model.anchors().positions()),
+        anchor_thickness: anchors.thickness(information.model.anchors().positions(), D - 1),
         sensor_rank: sensors.rank() + 1,
         sensor_condition: condition(&sensors),
         weakest,

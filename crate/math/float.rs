@@ -2,7 +2,7 @@
 //!
 //! The crate is `no_std`, so there is no other door: `f64::sin` and the like do not exist in it.
 
-pub use libm::{atan2, cos, pow, sin, sqrt};
+pub use libm::{atan2, cos, exp, lgamma, log, pow, sin, sqrt};
 
 /// Converts decibels to a ratio of powers, `10^(x/10)`.
 ///

@@ -1,6 +1,7 @@
 //! Floor 0: numbers, small matrices, rotations and poses.
 
 pub mod block;
+pub mod chi_squared;
 pub mod float;
 pub mod linalg;
 mod polar;

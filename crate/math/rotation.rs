@@ -20,6 +20,9 @@ pub const MAX_ANGLES: usize = 3;
 /// Rotation coordinates `phi`, radians: one angle in the plane (first entry), a rotation vector in space.
 pub type Angles = [f64; MAX_ANGLES];
 
+/// A matrix on rotation coordinates, such as their covariance (rad^2).
+pub type AngleMatrix = SMatrix<f64, MAX_ANGLES, MAX_ANGLES>;
+
 /// The manifold a matrix is projected onto.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(export))]
@@ -181,7 +184,7 @@ impl<const D: usize> Rotation<D> {
 ///
 /// `I + hat(phi)/2 + (1/theta^2 - (1 + cos theta)/(2 theta sin theta)) hat(phi)^2`, valid for `theta < 2 pi`; 1 in the
 /// plane. Returned on the angle coordinates, unused ones carry the identity.
-pub fn right_jacobian_inverse<const D: usize>(phi: &Angles) -> SMatrix<f64, MAX_ANGLES, MAX_ANGLES> {
+pub fn right_jacobian_inverse<const D: usize>(phi: &Angles) -> AngleMatrix {
     if D == 2 {
         return SMatrix::identity();
     }

@@ -5,7 +5,7 @@ use nalgebra::{SMatrix, SVector};
 use super::block::BlockMatrix;
 use super::linalg::spd_inverse;
 use super::pose::Theta;
-use super::rotation::{Angles, MAX_ANGLES, Rotation, rotation_angles};
+use super::rotation::{AngleMatrix, Angles, MAX_ANGLES, Rotation, rotation_angles};
 
 /// Tangent coordinates in space; in the plane the first 3 are used.
 pub const MAX_TANGENT: usize = 6;
@@ -86,6 +86,20 @@ impl<const D: usize> TangentMatrix<D> {
         (0..rotation_angles(D)).map(|i| self.0[(i, i)]).sum()
     }
 
+    /// The block of the rotation coordinates, carried from the body frame of `world_from_body` to the world frame:
+    /// `R C R^T`, since `R exp(hat(phi)) = exp(hat(R phi)) R`. One turn of the plane is the same in both frames. Unused
+    /// coordinates are zero.
+    pub fn rotation_block_in_world(&self, world_from_body: &Rotation<D>) -> AngleMatrix {
+        if D == 2 {
+            let mut block = AngleMatrix::zeros();
+            block[(0, 0)] = self.0[(0, 0)];
+            return block;
+        }
+        let in_body = self.0.fixed_view::<MAX_ANGLES, MAX_ANGLES>(0, 0);
+        let rotation = AngleMatrix::from_fn(|i, j| world_from_body.matrix()[(i, j)]);
+        rotation * in_body * rotation.transpose()
+    }
+
     /// The block of the shift.
     pub fn shift_block(&self) -> SMatrix<f64, D, D> {
         let first = rotation_angles(D);
@@ -112,6 +126,19 @@ impl<const D: usize> TangentMatrix<D> {
             }
         }
         result.0 = (result.0 + result.0.transpose()) * 0.5;
+        result
+    }
+
+    /// The covariance of the tangent coordinates of the pose nearest to `[Q | t]`, given that of `vec([Q | t])` about
+    /// `rotation`. To first order the nearest rotation errs by `phi_i = vec(R E_i)^T vec(Q - R)/2`.
+    pub fn of_nearest_pose(covariance: &BlockMatrix<D>, rotation: &Rotation<D>) -> Self {
+        let mut result = Self::restrict(covariance, rotation);
+        for i in 0..rotation_angles(D) {
+            for j in 0..tangent_dimension(D) {
+                result.0[(i, j)] *= 0.5;
+                result.0[(j, i)] *= 0.5;
+            }
+        }
         result
     }
 }

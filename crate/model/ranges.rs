@@ -72,6 +72,12 @@ impl Ranges {
         self.sensors
     }
 
+    /// The pairs (anchor, sensor) whose range is missing, sensor by sensor.
+    pub fn missing_pairs(&self) -> impl Iterator<Item = (usize, usize)> {
+        let missing = self.squared.iter().enumerate().filter(|(_, d)| d.is_nan());
+        missing.map(|(index, _)| (index % self.anchors, index / self.anchors))
+    }
+
     /// Number of missing ranges.
     pub fn missing(&self) -> usize {
         self.missing

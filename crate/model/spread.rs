@@ -41,10 +41,14 @@ impl<const D: usize> Spread<D> {
         self.singular_values[0] / self.singular_values[D - 1]
     }
 
-    /// Largest distance of a point from the plane (or line) through the centroid that fits the points best, m.
-    pub fn thickness(&self, points: &[SVector<f64, D>]) -> f64 {
-        let normal = self.directions.column(D - 1);
-        points.iter().map(|p| (p - self.centroid).dot(&normal).abs()).fold(0.0, f64::max)
+    /// Largest distance of a point from the flat of so many dimensions (1: line, 2: plane) through the centroid that fits
+    /// the points best, m.
+    pub fn thickness(&self, points: &[SVector<f64, D>], dimensions: usize) -> f64 {
+        let squared_distance = |p: &SVector<f64, D>| {
+            let lever = p - self.centroid;
+            (dimensions..D).map(|k| lever.dot(&self.directions.column(k))).map(|x| x * x).sum()
+        };
+        sqrt(points.iter().map(squared_distance).fold(0.0, f64::max))
     }
 }
 

@@ -1,5 +1,8 @@
 //! What is counted for one bound at one step over many trials.
 
+use alloc::vec::Vec;
+
+use super::flat::{Flat, Numbers};
 use super::moments::Moments;
 use super::report::BoundSummary;
 use crate::bounds::Bound;
@@ -37,5 +40,18 @@ impl BoundTally {
             angle: self.angle.root_mean(),
             position: self.position.root_mean(),
         }
+    }
+}
+
+impl Flat for BoundTally {
+    const LENGTH: usize = 3 * Moments::LENGTH;
+
+    fn write(&self, to: &mut Vec<f64>) {
+        [self.orientation, self.angle, self.position].iter().for_each(|moments| moments.write(to));
+    }
+
+    fn read(from: &mut Numbers<'_>) -> Self {
+        let [orientation, angle, position] = core::array::from_fn(|_| Moments::read(from));
+        Self { orientation, angle, position }
     }
 }

@@ -1,7 +1,9 @@
 //! Floor 3: one run or many, and what they say about an estimator.
 
+pub mod block;
 mod bound_tally;
 pub mod error;
+mod flat;
 pub mod moments;
 pub mod monte_carlo;
 pub mod report;

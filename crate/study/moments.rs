@@ -1,7 +1,10 @@
 //! Mean and standard error of a stream of numbers.
 
+use alloc::vec::Vec;
+
 use serde::{Deserialize, Serialize};
 
+use super::flat::{Flat, Numbers};
 use crate::math::float::sqrt;
 
 /// A number with its standard error.
@@ -57,6 +60,10 @@ impl Moments {
         if next.count == 0 {
             return;
         }
+        if self.count == 0 {
+            *self = *next;
+            return;
+        }
         let share = next.count as f64 / (self.count + next.count) as f64;
         let delta = next.mean - self.mean;
         self.mean += delta * share;
@@ -88,5 +95,17 @@ impl Moments {
         let value = sqrt(mean.value.max(0.0));
         let standard_error = if value > 0.0 { mean.standard_error / (2.0 * value) } else { 0.0 };
         Estimate { value, standard_error }
+    }
+}
+
+impl Flat for Moments {
+    const LENGTH: usize = 3;
+
+    fn write(&self, to: &mut Vec<f64>) {
+        to.extend([self.count as f64, self.mean, self.squares]);
+    }
+
+    fn read(from: &mut Numbers<'_>) -> Self {
+        Self { count: from.count(), mean: from.number(), squares: from.number() }
     }
 }

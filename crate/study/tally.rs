@@ -1,31 +1,45 @@
 //! What is counted for one estimator at one step over many trials.
 
+use alloc::vec::Vec;
+
 use serde::{Deserialize, Serialize};
 
 use super::error::PoseError;
+use super::flat::{Flat, Numbers};
 use super::moments::{Estimate, Moments};
 use crate::error::Result;
 use crate::math::float::sqrt;
-use crate::math::pose::{Pose, Theta};
+use crate::math::pose::Pose;
 use crate::math::rotation::determinant;
 use crate::track::filter::Step;
 
+/// What is averaged over trials.
+#[derive(Clone, Copy)]
+enum Figure {
+    Orientation,
+    Position,
+    Angle,
+    ColumnAngle,
+    Nees,
+    Nis,
+    NisFreedom,
+    Events,
+    Reflections,
+    OrientationTrace,
+    PositionTrace,
+}
+
+const FIGURES: usize = Figure::PositionTrace as usize + 1;
+
 /// Sums over trials for one estimator at one step.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Tally<const D: usize> {
-    orientation: Moments,
-    position: Moments,
-    angle: Moments,
-    column_angle: Moments,
-    nees: Moments,
-    nis: Moments,
-    events: Moments,
-    reflections: Moments,
-    orientation_trace: Moments,
-    position_trace: Moments,
-    error_sum: Theta<D>,
+pub struct Tally {
+    moments: [Moments; FIGURES],
+    /// Sum of `Q_hat - Q`, entry by entry; unused entries (D = 2) are zero.
+    orientation_sum: [f64; 9],
+    /// Sum of `t_hat - t`, m.
+    position_sum: [f64; 3],
     nees_freedom: usize,
-    nis_freedom: Moments,
     failures: usize,
 }
 
@@ -65,28 +79,34 @@ pub struct Summary {
     pub reflection_rate: Estimate,
 }
 
-impl<const D: usize> Tally<D> {
+impl Tally {
     /// Counts a step.
     ///
     /// # Errors
     /// When the reported covariance cannot be inverted for the NEES.
-    pub fn push(&mut self, step: &Step<D>, truth: &Pose<D>) -> Result<()> {
+    pub fn push<const D: usize>(&mut self, step: &Step<D>, truth: &Pose<D>) -> Result<()> {
         let error = PoseError::of(step, truth);
         let nees = step.nees(truth)?;
-        self.orientation.push(error.orientation.norm_squared());
-        self.position.push(error.position.norm_squared());
-        self.angle.push(error.angle * error.angle);
-        self.column_angle.push(error.column_angle);
-        self.nees.push(nees.value);
+        let mirrored = determinant(&step.posterior.orientation) < 0.0;
+        let figures = [
+            (Figure::Orientation, error.orientation.norm_squared()),
+            (Figure::Position, error.position.norm_squared()),
+            (Figure::Angle, error.angle * error.angle),
+            (Figure::ColumnAngle, error.column_angle),
+            (Figure::Nees, nees.value),
+            (Figure::Nis, step.nis.value),
+            (Figure::NisFreedom, step.nis.degrees_of_freedom as f64),
+            (Figure::Events, f64::from(u8::from(step.event))),
+            (Figure::Reflections, f64::from(u8::from(mirrored))),
+            (Figure::OrientationTrace, step.uncertainty.orientation_trace()),
+            (Figure::PositionTrace, step.uncertainty.position_block().trace()),
+        ];
+        for (figure, value) in figures {
+            self.moments[figure as usize].push(value);
+        }
+        add(&mut self.orientation_sum, error.orientation.as_slice());
+        add(&mut self.position_sum, error.position.as_slice());
         self.nees_freedom = nees.degrees_of_freedom;
-        self.nis.push(step.nis.value);
-        self.nis_freedom.push(step.nis.degrees_of_freedom as f64);
-        self.events.push(f64::from(u8::from(step.event)));
-        self.reflections.push(f64::from(u8::from(determinant(&step.posterior.orientation) < 0.0)));
-        self.orientation_trace.push(step.uncertainty.orientation_trace());
-        self.position_trace.push(step.uncertainty.position_block().trace());
-        self.error_sum.orientation += error.orientation;
-        self.error_sum.position += error.position;
         Ok(())
     }
 
@@ -97,54 +117,68 @@ impl<const D: usize> Tally<D> {
 
     /// Appends the trials of `next`.
     pub fn merge(&mut self, next: &Self) {
-        let pairs: [(&mut Moments, &Moments); 11] = [
-            (&mut self.orientation, &next.orientation),
-            (&mut self.position, &next.position),
-            (&mut self.angle, &next.angle),
-            (&mut self.column_angle, &next.column_angle),
-            (&mut self.nees, &next.nees),
-            (&mut self.nis, &next.nis),
-            (&mut self.nis_freedom, &next.nis_freedom),
-            (&mut self.events, &next.events),
-            (&mut self.reflections, &next.reflections),
-            (&mut self.orientation_trace, &next.orientation_trace),
-            (&mut self.position_trace, &next.position_trace),
-        ];
-        for (mine, theirs) in pairs {
+        for (mine, theirs) in self.moments.iter_mut().zip(&next.moments) {
             mine.merge(theirs);
         }
-        self.error_sum.orientation += next.error_sum.orientation;
-        self.error_sum.position += next.error_sum.position;
+        add(&mut self.orientation_sum, &next.orientation_sum);
+        add(&mut self.position_sum, &next.position_sum);
         self.nees_freedom = self.nees_freedom.max(next.nees_freedom);
         self.failures += next.failures;
     }
 
     /// The figures so far.
     pub fn summary(&self) -> Summary {
+        let moments = |figure: Figure| &self.moments[figure as usize];
         Summary {
-            trials: self.orientation.count(),
+            trials: moments(Figure::Orientation).count(),
             failures: self.failures,
-            rmse_orientation: self.orientation.root_mean(),
-            rmse_position: self.position.root_mean(),
-            rms_angle: self.angle.root_mean(),
-            paper_mae: self.column_angle.root_mean(),
-            bias_orientation: bias(self.error_sum.orientation.norm(), &self.orientation),
-            bias_position: bias(self.error_sum.position.norm(), &self.position),
-            claimed_orientation: self.orientation_trace.root_mean(),
-            claimed_position: self.position_trace.root_mean(),
-            nees: scaled(self.nees.mean(), self.nees_freedom as f64),
+            rmse_orientation: moments(Figure::Orientation).root_mean(),
+            rmse_position: moments(Figure::Position).root_mean(),
+            rms_angle: moments(Figure::Angle).root_mean(),
+            paper_mae: moments(Figure::ColumnAngle).root_mean(),
+            bias_orientation: bias(&self.orientation_sum, moments(Figure::Orientation)),
+            bias_position: bias(&self.position_sum, moments(Figure::Position)),
+            claimed_orientation: moments(Figure::OrientationTrace).root_mean(),
+            claimed_position: moments(Figure::PositionTrace).root_mean(),
+            nees: scaled(moments(Figure::Nees).mean(), self.nees_freedom as f64),
             nees_degrees_of_freedom: self.nees_freedom,
-            nis: scaled(self.nis.mean(), self.nis_freedom.mean().value),
-            event_rate: self.events.mean(),
-            reflection_rate: self.reflections.mean(),
+            nis: scaled(moments(Figure::Nis).mean(), moments(Figure::NisFreedom).mean().value),
+            event_rate: moments(Figure::Events).mean(),
+            reflection_rate: moments(Figure::Reflections).mean(),
         }
     }
 }
 
+impl Flat for Tally {
+    const LENGTH: usize = FIGURES * Moments::LENGTH + 9 + 3 + 2;
+
+    fn write(&self, to: &mut Vec<f64>) {
+        self.moments.iter().for_each(|moments| moments.write(to));
+        to.extend(self.orientation_sum);
+        to.extend(self.position_sum);
+        to.extend([self.nees_freedom as f64, self.failures as f64]);
+    }
+
+    fn read(from: &mut Numbers<'_>) -> Self {
+        Self {
+            moments: core::array::from_fn(|_| Moments::read(from)),
+            orientation_sum: core::array::from_fn(|_| from.number()),
+            position_sum: core::array::from_fn(|_| from.number()),
+            nees_freedom: from.count(),
+            failures: from.count(),
+        }
+    }
+}
+
+fn add(sum: &mut [f64], terms: &[f64]) {
+    sum.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
+}
+
 /// Length of a mean error vector; sampling alone gives about the root mean square error over the root of the count.
-fn bias(sum: f64, squared: &Moments) -> Estimate {
+fn bias(sum: &[f64], squared: &Moments) -> Estimate {
     let count = squared.count().max(1) as f64;
-    Estimate { value: sum / count, standard_error: sqrt(squared.mean().value.max(0.0) / count) }
+    let length = sqrt(sum.iter().map(|x| x * x).sum());
+    Estimate { value: length / count, standard_error: sqrt(squared.mean().value.max(0.0) / count) }
 }
 
 fn scaled(estimate: Estimate, by: f64) -> Estimate {

@@ -1,20 +1,22 @@
 //! One recording through every estimator and every bound, as a Run document.
 
-use alloc::string::ToString;
+use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
 use super::error::PoseError;
-use crate::bounds::{Bound, BoundKind, StepBounds, bounds_along};
+use crate::bounds::{Bound, BoundKind, StepBounds, bounds_along, fisher_information, unitary_crb};
 use crate::error::{Error, Result};
 use crate::math::pose::Pose;
+use crate::math::rotation::{Manifold, Rotation};
 use crate::model::document::VERSION;
-use crate::model::document::entries::{coordinates, rows};
+use crate::model::document::entries::{angle_rows, coordinates, rows};
 use crate::model::epoch::Recording;
 use crate::model::estimator_settings::{EstimatorName, EstimatorSettings};
+use crate::model::ranging::RangeForm;
 use crate::model::recording::RecordingDocument;
 use crate::model::run::{
-    BoundRecord, BoundRun, ConsistencyRecord, CovarianceTrace, EstimatorRun, Failure, PoseErrors, Run,
-    StepRecord,
+    BoundRecord, BoundRun, ConsistencyRecord, CovarianceTrace, EstimatorRun, Failure, Geometry, PoseErrors,
+    Run, StepRecord,
 };
 use crate::model::scenario::Scenario;
 use crate::simulate::simulate;
@@ -55,6 +57,8 @@ pub fn run_recording<const D: usize>(
         name: name.to_string(),
         dimension: D,
         anchors: coordinates(recording.model.anchors().positions()),
+        sensors: coordinates(recording.model.topology().sensors()),
+        geometry: Geometry::of(&recording.model, unseen(recording)),
         truth: recording.truth.iter().map(|pose| pose.map(Into::into)).collect(),
         settings: settings.clone(),
         estimators: settings
@@ -62,7 +66,8 @@ pub fn run_recording<const D: usize>(
             .iter()
             .map(|&name| run_estimator(name, settings, recording, &times))
             .collect(),
-        bounds: bound_runs(&bounds_along(recording)?),
+        bounds: bound_runs(recording, &bounds_along(recording)?),
+        missing: recording.epochs.iter().map(|epoch| epoch.ranges.missing_pairs().collect()).collect(),
         times,
     })
 }
@@ -74,6 +79,20 @@ fn times<const D: usize>(recording: &Recording<D>) -> Vec<f64> {
         now
     });
     elapsed.collect()
+}
+
+/// What complete ranges do not show at the first pose: the true one, or else the one that estimators start from.
+fn unseen<const D: usize>(recording: &Recording<D>) -> Option<String> {
+    let model = &recording.model;
+    let start = &recording.initial.theta;
+    let believed =
+        || Pose { rotation: Rotation::project(&start.orientation, Manifold::So), position: start.position };
+    let pose = recording.truth.iter().flatten().next().copied().unwrap_or_else(believed);
+    let information = fisher_information(model, &pose, RangeForm::Projected, &mut model.range_buffer());
+    match unitary_crb(&information.ok()?) {
+        Err(Error::Unobservable { reason, .. }) => Some(reason),
+        _ => None,
+    }
 }
 
 fn run_estimator<const D: usize>(
@@ -119,6 +138,7 @@ fn record<const D: usize>(step: &Step<D>, time: f64, truth: Option<&Pose<D>>) ->
             position: position_block.trace(),
         },
         position_covariance: rows(&position_block),
+        rotation_covariance: step.rotation_covariance().ok().map(|matrix| angle_rows::<D>(&matrix)),
         defect: step.defect,
         event: step.event,
         nis: consistency(step.nis),
@@ -136,7 +156,7 @@ fn consistency(statistic: Consistency) -> ConsistencyRecord {
 }
 
 /// The bounds that exist for at least one step.
-fn bound_runs<const D: usize>(steps: &[StepBounds<D>]) -> Vec<BoundRun> {
+fn bound_runs<const D: usize>(recording: &Recording<D>, steps: &[StepBounds<D>]) -> Vec<BoundRun> {
     let run = |kind: BoundKind| {
         let found = steps.iter().map(|bounds| bounds.get(kind));
         let failure = found.clone().enumerate().find_map(|(k, bound)| match bound {
@@ -146,7 +166,10 @@ fn bound_runs<const D: usize>(steps: &[StepBounds<D>]) -> Vec<BoundRun> {
         BoundRun {
             name: kind.name().to_string(),
             label: kind.label().to_string(),
-            steps: found.map(|bound| bound.and_then(|bound| bound.as_ref().ok()).map(bound_record)).collect(),
+            steps: found
+                .zip(&recording.truth)
+                .map(|(bound, truth)| Some(bound_record(bound?.as_ref().ok()?, truth.as_ref())))
+                .collect(),
             failure,
         }
     };
@@ -154,11 +177,13 @@ fn bound_runs<const D: usize>(steps: &[StepBounds<D>]) -> Vec<BoundRun> {
     runs.filter(|run| run.failure.is_some() || run.steps.iter().any(Option::is_some)).collect()
 }
 
-fn bound_record<const D: usize>(bound: &Bound<D>) -> BoundRecord {
+fn bound_record<const D: usize>(bound: &Bound<D>, truth: Option<&Pose<D>>) -> BoundRecord {
     BoundRecord {
         orientation_trace: bound.orientation_trace,
         angle_variance: bound.angle_variance,
         position_trace: bound.position_trace,
         position_covariance: rows(&bound.position_block()),
+        rotation_covariance: truth
+            .map(|pose| angle_rows::<D>(&bound.rotation_block_in_world(&pose.rotation))),
     }
 }

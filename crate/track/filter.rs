@@ -4,7 +4,7 @@ use nalgebra::SMatrix;
 
 use crate::error::{Error, Result};
 use crate::math::pose::{Pose, Theta};
-use crate::math::rotation::{Manifold, Rotation};
+use crate::math::rotation::{AngleMatrix, Manifold, Rotation};
 use crate::math::tangent::{TangentMatrix, join, tangent_dimension};
 use crate::model::covariance::Covariance;
 use crate::model::epoch::Epoch;
@@ -88,6 +88,28 @@ impl<const D: usize> Step<D> {
     /// The pose reported.
     pub fn pose(&self) -> Pose<D> {
         Pose { rotation: self.rotation(), position: self.posterior.position }
+    }
+
+    /// Covariance of the error's rotation vector in the world frame, rad^2, as the estimator believes it:
+    /// `R_true = exp(hat(phi)) R` with `R` the rotation reported. To first order, so meaningful well below 1 rad.
+    ///
+    /// For a linear estimator it is the tangential part of the covariance of `vec(Q)` at `R`; for one that stays on the
+    /// manifold that of `(T^T P^-1 T)^-1`, the covariance its NEES is taken with; for the error-state filter the block
+    /// of its state.
+    ///
+    /// # Errors
+    /// [`Error::NotPositiveDefinite`] when the covariance cannot be inverted.
+    pub fn rotation_covariance(&self) -> Result<AngleMatrix> {
+        let rotation = self.rotation();
+        let tangent = match &self.uncertainty {
+            Uncertainty::Linear(p) => TangentMatrix::of_nearest_pose(&p.to_blocks(), &rotation),
+            Uncertainty::Constrained(p) => {
+                let precision = p.to_blocks().inverse().map_err(not_positive)?;
+                TangentMatrix::restrict(&precision, &rotation).inverse().map_err(not_positive)?
+            }
+            Uncertainty::Tangent(p) => *p,
+        };
+        Ok(tangent.rotation_block_in_world(&rotation))
     }
 
     /// Normalized estimation error squared against the true pose: on `[Q | t]` (D(D+1) degrees of freedom) for a linear

@@ -3,13 +3,17 @@
 use rangelab::model::document::entries::PoseEntries;
 use rangelab::model::estimator_settings::{EstimatorName, EstimatorSettings};
 use rangelab::model::run::{
-    BoundRecord, BoundRun, ConsistencyRecord, CovarianceTrace, EstimatorRun, Failure, PoseErrors, Run,
-    StepRecord,
+    BoundRecord, BoundRun, ConsistencyRecord, CovarianceTrace, EstimatorRun, Failure, Flat, Geometry,
+    PointCloud, PoseErrors, Run, StepRecord,
 };
 use serde_json::json;
 
 fn sample_pose() -> PoseEntries {
     PoseEntries { orientation: vec![vec![0.1, 1e-300], vec![-1.0 / 3.0, 1.0]], position: vec![2.0, 5e300] }
+}
+
+fn sample_line() -> Flat {
+    Flat { thickness: 0.25, direction: vec![0.6, 0.8] }
 }
 
 fn sample_step() -> StepRecord {
@@ -20,6 +24,7 @@ fn sample_step() -> StepRecord {
         posterior: sample_pose(),
         covariance_trace: CovarianceTrace { orientation: 0.25, position: 1.0 },
         position_covariance: vec![vec![0.5, 0.1], vec![0.1, 0.5]],
+        rotation_covariance: Some(vec![vec![0.25]]),
         defect: f64::MIN_POSITIVE,
         event: true,
         nis: ConsistencyRecord { value: 5.5, degrees_of_freedom: 6 },
@@ -34,13 +39,21 @@ fn sample_run() -> Run {
         angle_variance: Some(0.25),
         position_trace: 4.0,
         position_covariance: vec![vec![2.0, 0.0], vec![0.0, 2.0]],
+        rotation_covariance: None,
     };
     Run {
         version: 1,
         name: "sample".into(),
         dimension: 2,
         anchors: vec![vec![0.0, 1.0]],
+        sensors: vec![vec![0.0, 0.0], vec![0.5, 0.0]],
+        geometry: Geometry {
+            anchors: PointCloud { plane: None, line: sample_line() },
+            sensors: PointCloud { plane: Some(sample_line()), line: sample_line() },
+            unseen: Some("One anchor.".into()),
+        },
         times: vec![0.1, 0.2],
+        missing: vec![vec![(0, 1)], Vec::new()],
         truth: vec![Some(sample_pose()), None],
         settings: EstimatorSettings::default(),
         estimators: vec![EstimatorRun {

@@ -43,6 +43,7 @@ impl Fingerprint {
         self.pose(&step.posterior);
         self.numbers(&[step.covariance_trace.orientation, step.covariance_trace.position]);
         self.numbers(step.position_covariance.iter().flatten());
+        self.optional(step.rotation_covariance.as_ref(), |hash, rows| hash.numbers(rows.iter().flatten()));
         self.numbers(&[step.defect, step.nis.value]);
         self.bytes(&[u8::from(step.event)]);
         self.optional(step.errors.as_ref(), |hash, errors| {
@@ -55,6 +56,7 @@ impl Fingerprint {
         self.numbers(&[bound.orientation_trace, bound.position_trace]);
         self.optional(bound.angle_variance.as_ref(), |hash, variance| hash.number(*variance));
         self.numbers(bound.position_covariance.iter().flatten());
+        self.optional(bound.rotation_covariance.as_ref(), |hash, rows| hash.numbers(rows.iter().flatten()));
     }
 }
 
@@ -80,4 +82,9 @@ pub fn fingerprints(run: &Run) -> String {
         });
     }
     text + &line("json", |hash| hash.bytes(run.to_json().as_bytes()))
+}
+
+/// A line for the sums of a study, as the rows of numbers in which blocks of trials travel.
+pub fn study_fingerprint(name: &str, numbers: &[f64]) -> String {
+    line(name, |hash| hash.numbers(numbers))
 }

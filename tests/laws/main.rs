@@ -5,6 +5,7 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+mod chi_squared;
 mod metric;
 mod pose;
 mod positive_definite;

@@ -4,13 +4,19 @@
 #[path = "../golden/fingerprint.rs"]
 mod fingerprint;
 
-use fingerprint::fingerprints;
+use fingerprint::{fingerprints, study_fingerprint};
+use rangelab::math::rotation::rotation_angles;
 use rangelab::model::presets::PRESETS;
 use rangelab::model::recording::RecordingDocument;
 use rangelab::model::run::Run;
 use rangelab::model::scenario::Scenario;
 use rangelab::simulate::simulate;
-use rangelab_wasm::{TrackRun, estimate, preset, presets, track, validate};
+use rangelab::study::moments::Estimate;
+use rangelab::study::monte_carlo::MonteCarlo;
+use rangelab_wasm::{
+    StudySum, TrackRun, chi_squared_interval, complete, estimate, preset, presets, study_block, track,
+    validate,
+};
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
@@ -45,6 +51,83 @@ fn every_preset_gives_the_golden_bits() {
         let run = Run::from_json(&run_of(each.name).to_json()).unwrap();
         assert_eq!(fingerprints(&run), golden(each.name), "{}", each.name);
     }
+}
+
+/// The blocks that workers give are the sums of the native study, bit by bit, and so is what the page joins of them.
+#[wasm_bindgen_test]
+fn blocks_of_a_study_give_the_golden_bits() {
+    let study = |name: &str| {
+        let scenario = preset(name).ok().unwrap();
+        let mut sum = StudySum::new(&scenario).ok().unwrap();
+        let blocks =
+            [(0, 20), (20, 7)].map(|(first, trials)| study_block(&scenario, first, trials).ok().unwrap());
+        blocks.iter().for_each(|block| sum.push(block).ok().unwrap());
+        assert_eq!(sum.trials(), 27);
+        study_fingerprint(name, &sum.to_numbers())
+    };
+    assert_eq!(study("planar") + &study("room"), include_str!("../golden/studies.txt"));
+}
+
+#[wasm_bindgen_test]
+fn a_study_reads_as_curves() {
+    let scenario = preset("room").ok().unwrap();
+    let mut sum = StudySum::new(&scenario).ok().unwrap();
+    assert!(sum.angle(0).iter().all(|x| x.is_nan()), "no trial, no number");
+    assert_eq!(sum.bounds(), "[]");
+    sum.push(&study_block(&scenario, 0, 40).ok().unwrap()).ok().unwrap();
+    let scenario = Scenario::from_json(&scenario).unwrap();
+    let study = MonteCarlo::new(&scenario, 40).unwrap();
+    let mut native = study.start();
+    (0..2).for_each(|index| native.merge(&study.block(index).unwrap()).unwrap());
+    let report = study.report(&native);
+    let curve = |read: &dyn Fn(usize) -> Estimate| -> Vec<f64> {
+        let steps = 0..scenario.steps;
+        steps.clone().map(|k| read(k).value).chain(steps.map(|k| read(k).standard_error)).collect()
+    };
+    for (e, estimator) in report.estimators.iter().enumerate() {
+        assert_eq!(sum.angle(e), curve(&|k| estimator.steps[k].rms_angle));
+        assert_eq!(sum.position(e), curve(&|k| estimator.steps[k].rmse_position));
+        assert_eq!(sum.nees(e), curve(&|k| estimator.steps[k].nees));
+        assert_eq!(sum.event_rate(e), curve(&|k| estimator.steps[k].event_rate));
+        assert_eq!(sum.nees_degrees_of_freedom(e), estimator.steps[0].nees_degrees_of_freedom);
+        assert!(sum.failures(e).iter().all(|failures| *failures == 0));
+    }
+    for (b, bound) in report.bounds.iter().enumerate() {
+        assert_eq!(sum.angle_bound(b), curve(&|k| bound.steps[k].angle));
+        assert_eq!(sum.position_bound(b), curve(&|k| bound.steps[k].position));
+    }
+}
+
+#[wasm_bindgen_test]
+fn blocks_out_of_order_or_of_another_scenario_are_refused() {
+    let (room, planar) = (preset("room").ok().unwrap(), preset("planar").ok().unwrap());
+    let mut sum = StudySum::new(&room).ok().unwrap();
+    let later = study_block(&room, 20, 20).ok().unwrap();
+    let said = sentence(sum.push(&later));
+    assert_eq!(said, "20 trials before the block that is appended where 0 are needed");
+    assert!(sentence(sum.push(&study_block(&planar, 0, 20).ok().unwrap())).contains("numbers in a block"));
+    assert!(sentence(sum.push(&later[..7])).contains("7 numbers in a block"));
+    assert_eq!(sum.trials(), 0);
+    assert!(sentence(study_block(&room, 7, 20)).contains("multiple of 20"));
+    assert!(sentence(study_block(&room, 20, 0)).contains("number of trials"));
+    assert!(sentence(study_block("{}", 0, 20)).contains("version"));
+}
+
+#[wasm_bindgen_test]
+fn a_scenario_is_completed_or_refused_with_a_sentence() {
+    let short = r#"{"version": 1, "dimension": 2, "anchors": [[0, 0], [9, 0], [0, 9]],
+        "sensors": [[-0.5, 0], [0.5, 0]], "noise": {"kind": "range", "sigma": 0.05}}"#;
+    let full: Value = serde_json::from_str(&complete(short).ok().unwrap()).unwrap();
+    assert_eq!((&full["steps"], &full["initial"]["position"]), (&json!(20), &json!([0.0, 0.0])));
+    assert_eq!(complete(&full.to_string()).ok().unwrap(), complete(short).ok().unwrap());
+    assert!(sentence(complete(r#"{"version": 2}"#)).contains("version 2"));
+}
+
+#[wasm_bindgen_test]
+fn chi_squared_intervals_pass_the_door() {
+    let [low, high] = chi_squared_interval(6.0, 0.95).ok().unwrap()[..] else { panic!("two numbers") };
+    assert!((low - 1.237_344_245_791).abs() < 1e-11 && (high - 14.449_375_335_448).abs() < 1e-11);
+    assert!(sentence(chi_squared_interval(f64::NAN, 0.95)).contains("degrees of freedom"));
 }
 
 #[wasm_bindgen_test]
@@ -87,15 +170,50 @@ fn typed_arrays_hold_what_the_document_says() {
             assert_eq!(tail(arrays.orientation_errors(e), 1), [errors.angle]);
             assert_eq!(tail(arrays.position_errors(e), 1), [errors.position]);
             assert_eq!(tail(arrays.defects(e), 1), [last.defect]);
-            assert_eq!(tail(arrays.nees(e), 1), [last.nees.unwrap().value]);
+            let nees = last.nees.unwrap();
+            assert_eq!(tail(arrays.nees(e), 1), [nees.value]);
+            assert_eq!(arrays.nees_degrees_of_freedom(e), nees.degrees_of_freedom);
+            let angles = rotation_angles(dimension);
+            let rotation_covariance = last.rotation_covariance.as_ref().unwrap().concat();
+            assert_eq!(tail(arrays.rotation_covariances(e), angles * angles), rotation_covariance);
             assert_eq!(arrays.events(e)[steps - 1], u8::from(last.event));
         }
         for (b, bound) in run.bounds.iter().enumerate() {
             let record = bound.steps[steps - 1].as_ref().unwrap();
+            let rotation_covariance = record.rotation_covariance.as_ref().unwrap().concat();
+            assert!(arrays.rotation_bound_covariances(b).ends_with(&rotation_covariance));
             assert_eq!(arrays.position_bounds(b)[steps - 1..], [record.position_trace.sqrt()]);
             assert_eq!(arrays.orientation_bounds(b)[steps - 1..], [record.angle_variance.unwrap().sqrt()]);
         }
     }
+}
+
+#[wasm_bindgen_test]
+fn missing_ranges_are_marked_where_they_are() {
+    let mut scenario = Scenario::from_json(&preset("room").ok().unwrap()).unwrap();
+    scenario.missing_probability = 0.3;
+    let recording = simulate::<3>(&scenario, 0).unwrap();
+    let present = track(&scenario.to_json(), 0).ok().unwrap().present();
+    let ranges = recording.epochs.iter().flat_map(|epoch| {
+        let pairs =
+            (0..scenario.anchors.len()).flat_map(|m| (0..scenario.sensors.len()).map(move |n| (m, n)));
+        pairs.map(|(m, n)| u8::from(epoch.ranges.get(m, n).is_some()))
+    });
+    assert_eq!(present, ranges.collect::<Vec<u8>>());
+    assert!(present.contains(&0) && present.contains(&1));
+}
+
+#[wasm_bindgen_test]
+fn the_geometry_names_what_hides() {
+    let geometry = |name: &str| -> Value { serde_json::from_str(&run_of(name).geometry()).unwrap() };
+    let (room, ceiling) = (geometry("room"), geometry("coplanar-ceiling"));
+    assert!(room["unseen"].is_null() && room["anchors"]["plane"]["thickness"].as_f64() > Some(0.1));
+    assert!(ceiling["unseen"].as_str().unwrap().contains("in one plane"), "{ceiling}");
+    assert!(ceiling["anchors"]["plane"]["thickness"].as_f64() < Some(1e-9));
+    let plane = geometry("planar");
+    assert!(
+        plane["sensors"]["plane"].is_null() && plane["sensors"]["line"]["thickness"].as_f64() > Some(0.0)
+    );
 }
 
 #[wasm_bindgen_test]

@@ -7,6 +7,8 @@ wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_browser);
 #[path = "../support/mod.rs"]
 mod support;
 
+#[path = "../laws/chi_squared.rs"]
+mod chi_squared;
 #[path = "../laws/metric.rs"]
 mod metric;
 #[path = "../laws/pose.rs"]

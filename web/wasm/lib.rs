@@ -3,6 +3,7 @@
 //! It does no arithmetic of its own but the roots of variances. What goes wrong is thrown as an `Error` whose message is
 //! a sentence.
 
+mod study;
 mod track_run;
 
 use rangelab::model::estimator_settings::EstimatorSettings;
@@ -15,6 +16,7 @@ use rangelab::{Error, Problem};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
+pub use study::{StudySum, study_block};
 pub use track_run::TrackRun;
 
 /// Lets a panic say on the console where it happened.
@@ -43,6 +45,25 @@ pub fn preset(name: &str) -> Result<String, JsError> {
 #[wasm_bindgen]
 pub fn topologies(dimension: usize) -> String {
     json(&topologies::topologies(dimension))
+}
+
+/// A scenario (JSON) with everything that it leaves out filled in.
+///
+/// # Errors
+/// A sentence with every problem of the scenario.
+#[wasm_bindgen]
+pub fn complete(scenario: &str) -> Result<String, JsError> {
+    Ok(Scenario::from_json(scenario)?.to_json())
+}
+
+/// The central interval of the chi-square distribution: the two numbers that hold `probability` between them and leave as
+/// much below as above.
+///
+/// # Errors
+/// A sentence where there is no such interval.
+#[wasm_bindgen]
+pub fn chi_squared_interval(degrees_of_freedom: f64, probability: f64) -> Result<Vec<f64>, JsError> {
+    Ok(rangelab::math::chi_squared::chi_squared_interval(degrees_of_freedom, probability)?.to_vec())
 }
 
 /// All that is wrong with a scenario: JSON `[{path, value, limit, message}]`, empty if it can be run. Text that is no
@@ -74,6 +95,13 @@ pub fn track(scenario: &str, trial: u32) -> Result<TrackRun, JsError> {
 pub fn estimate(recording: &str, settings: &str) -> Result<TrackRun, JsError> {
     let recording = RecordingDocument::from_json(recording)?;
     Ok(run_document(&recording, &EstimatorSettings::from_json(settings)?)?.into())
+}
+
+/// What people and files call an estimator or a bound.
+#[derive(Serialize)]
+struct Named<'a> {
+    name: &'a str,
+    label: &'a str,
 }
 
 /// A problem and its sentence.

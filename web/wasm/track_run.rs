@@ -1,12 +1,12 @@
 //! A run as typed arrays for drawing and plotting.
 
 use rangelab::math::float::sqrt;
+use rangelab::math::rotation::rotation_angles;
 use rangelab::model::document::entries::PoseEntries;
 use rangelab::model::run::{BoundRecord, BoundRun, EstimatorRun, Run, StepRecord};
-use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-use crate::json;
+use crate::{Named, json};
 
 /// What the estimators and bounds made of one recording: K steps, D dimensions, matrices row by row. Estimators and
 /// bounds are numbered as in [`TrackRun::estimators`] and [`TrackRun::bounds`]. NaN stands where there is no number:
@@ -18,12 +18,6 @@ impl From<Run> for TrackRun {
     fn from(run: Run) -> Self {
         Self(run)
     }
-}
-
-#[derive(Serialize)]
-struct Named<'a> {
-    name: &'a str,
-    label: &'a str,
 }
 
 #[wasm_bindgen]
@@ -46,6 +40,23 @@ impl TrackRun {
     /// The anchors that were used, m: M x D.
     pub fn anchors(&self) -> Vec<f64> {
         self.0.anchors.concat()
+    }
+
+    /// 1 where a range was measured, else 0: K x M x N.
+    pub fn present(&self) -> Vec<u8> {
+        let (anchors, sensors) = (self.0.anchors.len(), self.0.sensors.len());
+        let mut present = vec![1; self.steps() * anchors * sensors];
+        for (k, pairs) in self.0.missing.iter().enumerate() {
+            for (m, n) in pairs {
+                present[(k * anchors + m) * sensors + n] = 0;
+            }
+        }
+        present
+    }
+
+    /// How anchors and sensors lie: the JSON of the crate's `Geometry`.
+    pub fn geometry(&self) -> String {
+        json(&self.0.geometry)
     }
 
     /// True orientations: K x D x D.
@@ -106,6 +117,19 @@ impl TrackRun {
         self.number(estimator, |step| step.nees.map(|nees| nees.value))
     }
 
+    /// Degrees of freedom of the NEES; 0 where there is none.
+    pub fn nees_degrees_of_freedom(&self, estimator: usize) -> usize {
+        let nees = self.estimator(estimator).steps.iter().find_map(|step| step.nees);
+        nees.map_or(0, |nees| nees.degrees_of_freedom)
+    }
+
+    /// Covariances of the error's rotation vector in the world frame, rad^2: K x A x A, A = 3 in space, 1 in the plane.
+    pub fn rotation_covariances(&self, estimator: usize) -> Vec<f64> {
+        self.steps_of(estimator, self.angles() * self.angles(), |step, to| {
+            to.extend(step.rotation_covariance.iter().flatten().flatten());
+        })
+    }
+
     /// Covariances of the position, m^2: K x D x D.
     pub fn position_covariances(&self, estimator: usize) -> Vec<f64> {
         self.steps_of(estimator, self.0.dimension * self.0.dimension, |step, to| {
@@ -148,6 +172,13 @@ impl TrackRun {
         })
     }
 
+    /// A bound on the covariance of the error's rotation vector in the world frame, rad^2: K x A x A.
+    pub fn rotation_bound_covariances(&self, bound: usize) -> Vec<f64> {
+        self.bounds_of(bound, self.angles() * self.angles(), |record, to| {
+            to.extend(record.rotation_covariance.iter().flatten().flatten());
+        })
+    }
+
     /// The run as a JSON document, the same bytes that the command line writes.
     pub fn to_json(&self) -> String {
         self.0.to_json()
@@ -155,6 +186,10 @@ impl TrackRun {
 }
 
 impl TrackRun {
+    fn angles(&self) -> usize {
+        rotation_angles(self.0.dimension)
+    }
+
     fn estimator(&self, index: usize) -> &EstimatorRun {
         &self.0.estimators[index]
     }

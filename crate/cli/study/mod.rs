@@ -14,7 +14,6 @@ use indicatif::{ProgressBar, ProgressStyle};
 use rangelab::model::scenario::Scenario;
 use rangelab::study::monte_carlo::MonteCarlo;
 use rangelab::study::report::StudyReport;
-use rangelab::with_dimension;
 
 use super::choices::Choices;
 use super::failure::Failure;
@@ -86,13 +85,11 @@ impl StudyCommand {
 
     fn study(&self, scenario: &Scenario) -> rangelab::Result<StudyReport> {
         let threads = self.threads.or(available_parallelism().ok()).map_or(1, NonZero::get);
-        with_dimension!(scenario.dimension, D => {
-            let study = MonteCarlo::<D>::new(scenario, self.trials)?;
-            let bar = progress(study.blocks());
-            let total = workers::run(&study, threads, |blocks| bar.set_position(blocks as u64));
-            bar.finish_and_clear();
-            Ok(study.report(&total?))
-        })
+        let study = MonteCarlo::new(scenario, self.trials)?;
+        let bar = progress(study.blocks());
+        let total = workers::run(&study, threads, |blocks| bar.set_position(blocks as u64));
+        bar.finish_and_clear();
+        Ok(study.report(&total?))
     }
 
     /// The steps of the table.

@@ -6,15 +6,12 @@ use std::sync::mpsc;
 use std::thread;
 
 use rangelab::Result;
-use rangelab::study::monte_carlo::{Block, MonteCarlo};
+use rangelab::study::block::Block;
+use rangelab::study::monte_carlo::MonteCarlo;
 
 /// Runs all blocks of a study on `threads` threads and joins them in their order, so that the sum does not depend on
 /// how many threads there are. `done` hears of each block that is joined.
-pub fn run<const D: usize>(
-    study: &MonteCarlo<'_, D>,
-    threads: usize,
-    mut done: impl FnMut(usize),
-) -> Result<Block<D>> {
+pub fn run(study: &MonteCarlo<'_>, threads: usize, mut done: impl FnMut(usize)) -> Result<Block> {
     let next = AtomicUsize::new(0);
     let (sender, receiver) = mpsc::channel();
     thread::scope(|scope| {
@@ -32,23 +29,23 @@ pub fn run<const D: usize>(
             });
         }
         drop(sender);
-        join(receiver, &mut done)
+        join(study.start(), receiver, &mut done)
     })
 }
 
 /// Joins blocks in the order of their indices, whatever the order in which they come. The first that failed, by index, is
 /// the error: every block before it has come by then.
-fn join<const D: usize>(
-    blocks: mpsc::Receiver<(usize, Result<Block<D>>)>,
+fn join(
+    mut total: Block,
+    blocks: mpsc::Receiver<(usize, Result<Block>)>,
     done: &mut impl FnMut(usize),
-) -> Result<Block<D>> {
-    let mut total = Block::default();
+) -> Result<Block> {
     let mut early = BTreeMap::new();
     let mut joined = 0;
     for (index, block) in blocks {
         early.insert(index, block);
         while let Some(block) = early.remove(&joined) {
-            total.merge(&block?);
+            total.merge(&block?)?;
             joined += 1;
             done(joined);
         }

@@ -4,7 +4,7 @@ use rangelab::bounds::BoundKind;
 use rangelab::model::estimator_settings::EstimatorName::{self, Eskf, EskfRaw, EtKf, Kf, Ortho, UcKf};
 use rangelab::model::presets::preset;
 use rangelab::study::moments::Estimate;
-use rangelab::study::monte_carlo::{Block, MonteCarlo};
+use rangelab::study::monte_carlo::MonteCarlo;
 use rangelab::study::report::{BoundSummary, StudyReport};
 use rangelab::study::tally::Summary;
 
@@ -34,8 +34,8 @@ impl Claim {
 /// Runs a preset of three dimensions.
 pub fn study(name: &str, trials: usize) -> rangelab::Result<StudyReport> {
     let scenario = preset(name)?;
-    let study = MonteCarlo::<3>::new(&scenario, trials)?;
-    let mut total = Block::default();
+    let study = MonteCarlo::new(&scenario, trials)?;
+    let mut total = study.start();
     for index in 0..study.blocks() {
         total.merge(&study.block(index)?);
     }

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::Result;
 use crate::math::pose::{Pose, Theta};
-use crate::math::rotation::{Angles, Rotation, rotation_angles};
+use crate::math::rotation::{AngleMatrix, Angles, Rotation, rotation_angles};
 
 /// A D x D matrix row by row and D coordinates: a pose, an unconstrained `[Q | t]`, or an innovation in its shape.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -58,6 +58,12 @@ impl<const D: usize> From<Pose<D>> for PoseEntries {
 /// A matrix row by row.
 pub fn rows<const D: usize>(matrix: &SMatrix<f64, D, D>) -> Vec<Vec<f64>> {
     (0..D).map(|i| (0..D).map(|j| matrix[(i, j)]).collect()).collect()
+}
+
+/// A matrix on rotation coordinates row by row: 3 x 3 in space, 1 x 1 in the plane.
+pub fn angle_rows<const D: usize>(matrix: &AngleMatrix) -> Vec<Vec<f64>> {
+    let angles = 0..rotation_angles(D);
+    angles.clone().map(|i| angles.clone().map(|j| matrix[(i, j)]).collect()).collect()
 }
 
 /// Points as lists of coordinates.

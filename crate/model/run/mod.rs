@@ -1,11 +1,14 @@
 //! Run: all that estimators did with a recording, as one JSON document. Every door reads it.
 
 mod csv;
+mod geometry;
 
 use alloc::string::String;
 use alloc::vec::Vec;
 
 use serde::{Deserialize, Serialize};
+
+pub use geometry::{Flat, Geometry, PointCloud};
 
 use super::document::entries::PoseEntries;
 use super::document::{parse, write};
@@ -25,8 +28,14 @@ pub struct Run {
     pub dimension: usize,
     /// The anchors that were used (the drawn ones where a scenario redraws them), m.
     pub anchors: Vec<Vec<f64>>,
+    /// The sensors in the body frame, m.
+    pub sensors: Vec<Vec<f64>>,
+    /// How anchors and sensors lie, and what that hides.
+    pub geometry: Geometry,
     /// Time of each epoch since the start, s.
     pub times: Vec<f64>,
+    /// For each epoch the pairs (anchor, sensor) whose range is missing.
+    pub missing: Vec<Vec<(usize, usize)>>,
     /// The true pose at each epoch, null where it is not known.
     pub truth: Vec<Option<PoseEntries>>,
     /// The choices that the estimators share.
@@ -69,6 +78,9 @@ pub struct StepRecord {
     pub covariance_trace: CovarianceTrace,
     /// Covariance of the position row by row, m^2.
     pub position_covariance: Vec<Vec<f64>>,
+    /// Covariance of the error's rotation vector in the world frame row by row, rad^2 (1 x 1 in the plane); null where
+    /// the estimator's covariance cannot be inverted.
+    pub rotation_covariance: Option<Vec<Vec<f64>>>,
     /// `||Q^T Q - I||_F` before any projection.
     pub defect: f64,
     /// True if `Q` was projected.
@@ -155,6 +167,8 @@ pub struct BoundRecord {
     pub position_trace: f64,
     /// Bound on the covariance of the position row by row, m^2.
     pub position_covariance: Vec<Vec<f64>>,
+    /// Bound on the covariance of the error's rotation vector in the world frame row by row, rad^2 (1 x 1 in the plane).
+    pub rotation_covariance: Option<Vec<Vec<f64>>>,
 }
 
 impl Run {

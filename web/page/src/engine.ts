@@ -2,49 +2,120 @@
  * The only door to the WebAssembly modules: estimators and bounds in one, the scene renderer in two builds.
  * What leaves this file are plain objects, typed arrays and errors whose message is a sentence for the student.
  */
-import initEstimators, * as estimators from "./wasm/rangelab/rangelab_wasm.js";
+import * as estimators from "./wasm/rangelab/rangelab_wasm.js";
+import moduleUrl from "./wasm/rangelab/rangelab_wasm_bg.wasm?url";
 import type { Scene } from "./wasm/scene-webgpu/rangelab_scene.js";
+import { decodeRun, decodeStudy } from "./decode";
 import type { Preset } from "./generated/Preset";
 import type { Problem } from "./generated/Problem";
-import type { BoundRun, EstimatorRun, Run } from "./run";
+import type { Run } from "./run";
 import type { NamedTopology, Scenario } from "./scenario";
+import type { StudyCurves } from "./study";
 
 export type WasmScene = Scene;
+export type WasmRun = estimators.TrackRun;
+export type WasmStudy = estimators.StudySum;
 
 /** One thing that is wrong with a scenario, and its sentence. */
 export type Complaint = Problem & { message: string };
 
-const TRAPPED =
-  "The engine stopped at an unexpected place and cannot go on: reload the page. The scenario is kept in the address.";
+/** The instance of the engine is lost, after a bug in it; `restartEngine` gives a fresh one. */
+export class EngineTrap extends Error {}
 
-export async function loadEngine(): Promise<void> {
-  await initEstimators();
+const TRAPPED =
+  "The engine stopped at an unexpected place and has to be started again. Nothing of the scenario is lost.";
+
+let compiled: WebAssembly.Module | null = null;
+/** Counts restarts: an object of an earlier instance must not reach into the memory of this one. */
+let generation = 0;
+
+/** Starts the engine: from the page's own address, or from a module that was compiled before and posted here. */
+export async function loadEngine(module?: WebAssembly.Module): Promise<void> {
+  compiled = module ?? (await compile(moduleUrl));
+  await estimators.default({ module_or_path: compiled });
+}
+
+/** The compiled module, to post to workers. */
+export function engineModule(): WebAssembly.Module {
+  if (compiled === null) throw new Error("The engine is not loaded yet.");
+  return compiled;
+}
+
+/** A fresh instance, after a trap. Studies begun in the old one are lost with it. */
+export async function restartEngine(): Promise<void> {
+  if (compiled === null) return loadEngine();
+  generation += 1;
+  estimators.__wbg_reset_state();
 }
 
 export function presets(): Preset[] {
-  return JSON.parse(estimators.presets());
+  return JSON.parse(guarded(() => estimators.presets()));
 }
 
 export function preset(name: string): Scenario {
-  return JSON.parse(estimators.preset(name));
+  return JSON.parse(guarded(() => estimators.preset(name)));
 }
 
 /** The bodies that have a name, their two farthest sensors 1 m apart. */
 export function topologies(dimension: number): NamedTopology[] {
-  return JSON.parse(estimators.topologies(dimension));
+  return JSON.parse(guarded(() => estimators.topologies(dimension)));
 }
 
 export function validate(scenario: unknown): Complaint[] {
   return JSON.parse(guarded(() => estimators.validate(JSON.stringify(scenario))));
 }
 
+/** The scenario of a document, everything filled in that it leaves out. Throws an `Error` with a sentence. */
+export function complete(document: unknown): Scenario {
+  return JSON.parse(guarded(() => estimators.complete(JSON.stringify(document))));
+}
+
 /** Simulates trial 0 of the scenario and runs its estimators on it. Throws an `Error` with a sentence. */
 export function track(scenario: Scenario): Run {
   const run = guarded(() => estimators.track(JSON.stringify(scenario), 0));
   try {
-    return decode(run);
+    return decodeRun(run);
   } finally {
     run.free();
+  }
+}
+
+/** What `probability` of the numbers drawn from the distribution lies between, as much of the rest below as above. */
+export function chiSquaredInterval(degreesOfFreedom: number, probability: number): [number, number] {
+  const [low, high] = guarded(() => estimators.chi_squared_interval(degreesOfFreedom, probability));
+  return [low, high];
+}
+
+/** A study's pieces start at multiples of this. */
+export function trialsPerBlock(): number {
+  return estimators.trials_per_block();
+}
+
+/** Sums over some trials, for `StudySum.push`; the numbers mean nothing by themselves. */
+export function studyBlock(scenario: Scenario, firstTrial: number, trials: number): Float64Array {
+  return guarded(() => estimators.study_block(JSON.stringify(scenario), firstTrial, trials));
+}
+
+/** A study under way: the same bits as the command line's, whoever computed the blocks. */
+export class StudySum {
+  #sum: WasmStudy;
+  #generation = generation;
+
+  constructor(scenario: Scenario) {
+    this.#sum = guarded(() => new estimators.StudySum(JSON.stringify(scenario)));
+  }
+
+  /** Joins the trials that come next; throws where `block` is not that. */
+  push(block: Float64Array): void {
+    guarded(() => this.#sum.push(block));
+  }
+
+  read(): StudyCurves {
+    return guarded(() => decodeStudy(this.#sum));
+  }
+
+  free(): void {
+    if (this.#generation === generation) this.#sum.free();
   }
 }
 
@@ -61,65 +132,20 @@ export async function createWasmScene(
   return module.Scene.create(canvas);
 }
 
+/** Compiled while it streams in; a server that calls it something else than WebAssembly costs the streaming only. */
+async function compile(url: string): Promise<WebAssembly.Module> {
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`The engine could not be fetched (${response.status}).`);
+  const isWasm = response.headers.get("Content-Type")?.startsWith("application/wasm");
+  return isWasm ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+}
+
 function guarded<T>(call: () => T): T {
   try {
     return call();
   } catch (error) {
-    if (error instanceof WebAssembly.RuntimeError) throw new Error(TRAPPED, { cause: error });
+    if (error instanceof WebAssembly.RuntimeError) throw new EngineTrap(TRAPPED, { cause: error });
     if (error instanceof Error) throw error;
     throw new Error(String(error), { cause: error });
   }
-}
-
-function decode(run: estimators.TrackRun): Run {
-  const dimension = run.dimension();
-  const names: { name: string; label: string }[] = JSON.parse(run.estimators());
-  const bounds: { name: string; label: string }[] = JSON.parse(run.bounds());
-  return {
-    dimension,
-    steps: run.steps(),
-    times: run.times(),
-    anchors: rows(run.anchors(), dimension),
-    truth: { orientations: run.truth_orientations(), positions: run.truth_positions() },
-    estimators: names.map((entry, index) => decodeEstimator(run, entry, index)),
-    bounds: bounds.map((entry, index) => decodeBound(run, entry, index)),
-  };
-}
-
-function decodeEstimator(
-  run: estimators.TrackRun,
-  entry: { name: string; label: string },
-  index: number,
-): EstimatorRun {
-  const step = run.failed_at(index);
-  return {
-    ...entry,
-    orientations: run.orientations(index),
-    positions: run.positions(index),
-    orientationErrors: run.orientation_errors(index),
-    positionErrors: run.position_errors(index),
-    defects: run.defects(index),
-    events: run.events(index),
-    positionCovariances: run.position_covariances(index),
-    stopped: step < 0 ? null : { step, sentence: run.failure(index) },
-  };
-}
-
-function decodeBound(
-  run: estimators.TrackRun,
-  entry: { name: string; label: string },
-  index: number,
-): BoundRun {
-  return {
-    ...entry,
-    orientation: run.orientation_bounds(index),
-    position: run.position_bounds(index),
-    positionCovariances: run.position_bound_covariances(index),
-  };
-}
-
-function rows(values: Float64Array, width: number): number[][] {
-  return Array.from({ length: values.length / width }, (_, row) => [
-    ...values.subarray(row * width, (row + 1) * width),
-  ]);
 }

@@ -1,4 +1,9 @@
-/** A tracking run as the page reads it: plain typed arrays, K steps, D dimensions, matrices row by row. */
+import type { Geometry } from "./generated/Geometry";
+
+export type { Geometry } from "./generated/Geometry";
+
+/** A tracking run as the page reads it: plain typed arrays, K steps, D dimensions, A = D(D-1)/2 rotation angles, M anchors, N sensors,
+ * matrices row by row; NaN where there is no number. */
 export interface PoseTrack {
   /** K x D x D. */
   readonly orientations: Float64Array;
@@ -17,8 +22,14 @@ export interface EstimatorRun extends PoseTrack {
   readonly defects: Float64Array;
   /** 1 where the estimate was projected. */
   readonly events: Uint8Array;
+  /** Normalized estimation errors squared. */
+  readonly nees: Float64Array;
+  /** Their mean where the covariance is right; 0 where the truth is not known. */
+  readonly neesDegreesOfFreedom: number;
   /** K x D x D, square metres. */
   readonly positionCovariances: Float64Array;
+  /** Of the error's rotation vector in the world frame: K x A x A, rad^2. It means something well below 1 rad^2. */
+  readonly rotationCovariances: Float64Array;
   /** The step at which the estimator stopped, or null; from there on its values mean nothing. */
   readonly stopped: { step: number; sentence: string } | null;
 }
@@ -32,6 +43,8 @@ export interface BoundRun {
   readonly position: Float64Array;
   /** K x D x D, square metres. */
   readonly positionCovariances: Float64Array;
+  /** Of the error's rotation vector in the world frame: K x A x A, rad^2. */
+  readonly rotationCovariances: Float64Array;
 }
 
 export interface Run {
@@ -41,6 +54,10 @@ export interface Run {
   readonly times: Float64Array;
   /** The anchors used, M rows: presets that redraw anchors differ from the scenario here. */
   readonly anchors: number[][];
+  /** How anchors and sensors lie, and what that hides; lengths in metres. */
+  readonly geometry: Geometry;
+  /** 1 where the range was measured: K x M x N. */
+  readonly present: Uint8Array;
   readonly truth: PoseTrack;
   readonly estimators: EstimatorRun[];
   readonly bounds: BoundRun[];

@@ -2,7 +2,7 @@ import * as engine from "../engine";
 import type { Lab } from "../lab";
 import { labOf } from "../labs";
 import type { Scenario } from "../scenario";
-import { decodeLink, firstMissing } from "./link";
+import { decodeLink } from "./link";
 
 /** No scenario is this long; a film dropped by mistake is not read into memory. */
 const MAX_FILE_BYTES = 1024 * 1024;
@@ -14,10 +14,7 @@ export class DocumentError extends Error {}
 export function readDocument(document: unknown, source: string, labs: readonly Lab[]): Scenario {
   const [problem] = engine.validate(document);
   if (problem) throw new DocumentError(`${source} holds a scenario that does not work: ${problem.message}`);
-  const missing = firstMissing(labs[0].preset(labs[0].firstPreset), document);
-  if (missing)
-    throw new DocumentError(`${source} leaves out “${missing}”; the page reads complete scenarios only.`);
-  const scenario = document as Scenario;
+  const scenario = engine.complete(document);
   if (!labOf(scenario, labs))
     throw new DocumentError(
       `${source} is for the lab “${scenario.view?.["lab"]}”, which this page does not have.`,

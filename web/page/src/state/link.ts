@@ -31,18 +31,6 @@ export async function decodeLink(hash: string): Promise<unknown> {
   }
 }
 
-/** The path of the first field of `template` that `value` lacks: files may leave out defaults, the page's state not. */
-export function firstMissing(template: object, value: unknown, path = ""): string | null {
-  const given = (value ?? {}) as Record<string, unknown>;
-  for (const [key, part] of Object.entries(template)) {
-    if (!(key in given)) return path + key;
-    if (part === null || typeof part !== "object" || Array.isArray(part) || given[key] === null) continue;
-    const missing = firstMissing(part, given[key], `${path}${key}.`);
-    if (missing !== null && key !== "noise" && key !== "view") return missing;
-  }
-  return null;
-}
-
 async function inflate(base64Url: string): Promise<Uint8Array> {
   try {
     const stream = through(fromBase64Url(base64Url), new DecompressionStream("deflate"));
