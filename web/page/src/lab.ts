@@ -19,8 +19,9 @@ export interface LabRun {
 
 /** Steps at which something happened, shown on the timeline. */
 export interface TimelineMarks {
-  /** What happened, as a plural: "projections of ET-KF". */
+  /** What happened, as a plural and of one: "projections of ET-KF", "ET-KF projected". */
   readonly label: string;
+  readonly one: string;
   /** The design token of the colour, and the mark that doubles it. */
   readonly token: string;
   readonly mark: Shape;

@@ -33,6 +33,7 @@ export const lab: Lab<Run> = {
       .filter((estimator) => estimator.name === "et-kf")
       .map((estimator) => ({
         label: "projections of ET-KF",
+        one: "ET-KF projected",
         token: estimator.name,
         mark: MARKS[estimator.name],
         steps: eventSteps(estimator),
