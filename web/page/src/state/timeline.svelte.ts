@@ -15,18 +15,31 @@ const REAL_TIME = SPEEDS.find((speed) => speed.kind === "real time" && speed.val
 
 /** The cursor in time: which step of the run is shown, and whether it is moving. */
 export class Timeline {
-  step = $state(0);
   /** The step under the pointer in a plot, or null. */
   hovered: number | null = $state(null);
-  count = $state(1);
   playing = $state(false);
   /** Starts again at the end. */
   loop = $state(false);
   speed: Speed = $state.raw(REAL_TIME);
-  /** Mean time between steps, s. */
-  #interval = $state(1);
+  /** What was asked for; `Infinity` is the end, wherever that comes to lie. */
+  #wanted = $state(Infinity);
+  readonly #times: () => Float64Array;
   #lastTick = 0;
   #carry = 0;
+
+  /** `times` gives those of the run's steps, in seconds. */
+  constructor(times: () => Float64Array) {
+    this.#times = times;
+  }
+
+  /** The step that is shown: always one that the run has, also in the moment a shorter one comes. */
+  get step(): number {
+    return Math.min(this.#wanted, this.last);
+  }
+
+  get count(): number {
+    return Math.max(1, this.#times().length);
+  }
 
   get last(): number {
     return this.count - 1;
@@ -34,20 +47,15 @@ export class Timeline {
 
   /** Steps per second of watching. */
   get rate(): number {
-    return this.speed.kind === "steps" ? this.speed.value : this.speed.value / this.#interval;
-  }
-
-  /** Follows a new run, whose steps have these times: a cursor at the end stays at the end. */
-  follow(times: Float64Array): void {
-    const atEnd = this.step === this.last;
-    this.count = Math.max(1, times.length);
+    if (this.speed.kind === "steps") return this.speed.value;
+    const times = this.#times();
     const span = times[this.last] - times[0];
-    this.#interval = span > 0 ? span / this.last : 1;
-    if (atEnd || this.step > this.last) this.step = this.last;
+    return span > 0 ? (this.speed.value * this.last) / span : this.speed.value;
   }
 
+  /** Goes to a step; at the end the cursor stays at the end, also of a longer run. */
   seek(step: number): void {
-    this.step = Math.min(this.last, Math.max(0, Math.round(step)));
+    this.#wanted = step >= this.last ? Infinity : Math.max(0, Math.round(step));
   }
 
   stepBy(delta: number): void {
@@ -63,7 +71,7 @@ export class Timeline {
   }
 
   play(): void {
-    if (this.step >= this.last) this.step = 0;
+    if (this.step >= this.last) this.#wanted = 0;
     this.playing = true;
     this.#lastTick = performance.now();
     this.#carry = 0;
@@ -81,7 +89,7 @@ export class Timeline {
 
   reset(): void {
     this.pause();
-    this.step = 0;
+    this.#wanted = 0;
   }
 
   #tick = (): void => {
@@ -98,7 +106,7 @@ export class Timeline {
   /** The last step is always shown, however fast, before the first one comes again. */
   #advance(steps: number): void {
     if (this.step < this.last) this.seek(this.step + steps);
-    else if (this.loop && this.last > 0) this.step = 0;
+    else if (this.loop && this.last > 0) this.#wanted = 0;
     if (this.step === this.last && !this.loop) this.pause();
   }
 }

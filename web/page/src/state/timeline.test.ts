@@ -30,8 +30,8 @@ async function watch(seconds: number): Promise<void> {
 const tenthsOfASecond = (count: number) => Float64Array.from({ length: count }, (_, step) => step / 10);
 
 function timelineOf(count: number): Timeline {
-  const timeline = new Timeline();
-  timeline.follow(tenthsOfASecond(count));
+  const times = tenthsOfASecond(count);
+  const timeline = new Timeline(() => times);
   timelines.push(timeline);
   return timeline;
 }
@@ -81,14 +81,17 @@ test("it jumps from mark to mark and stays behind the last", () => {
   expect(steps).toEqual([40, 4, 3, 3, 4]);
 });
 
-test("a cursor at the end follows a longer run, one before it stays", () => {
-  const timeline = timelineOf(10);
+test("a cursor at the end follows a longer run, one before it stays, none points beyond the run", () => {
+  let times = tenthsOfASecond(10);
+  const timeline = new Timeline(() => times);
   expect(timeline.step).toBe(9);
-  timeline.follow(tenthsOfASecond(20));
+  times = tenthsOfASecond(20);
   expect(timeline.step).toBe(19);
   timeline.seek(5);
-  timeline.follow(tenthsOfASecond(30));
+  times = tenthsOfASecond(30);
   expect(timeline.step).toBe(5);
-  timeline.follow(tenthsOfASecond(3));
+  times = tenthsOfASecond(3);
   expect(timeline.step).toBe(2);
+  times = new Float64Array();
+  expect(timeline.step).toBe(0);
 });

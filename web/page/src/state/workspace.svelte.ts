@@ -21,9 +21,11 @@ const narrow = new MediaQuery("(max-width: 700px) or (max-height: 480px)");
 const medium = new MediaQuery("max-width: 1100px");
 const dark = new MediaQuery("prefers-color-scheme: dark");
 
+const NO_TIMES = new Float64Array();
+
 /** What every part of the frame shares: the scenario, its lab and run, the time cursor, the looks. */
 export class Workspace<R extends LabRun = LabRun> {
-  readonly timeline = new Timeline();
+  readonly timeline: Timeline = new Timeline(() => this.session.run?.times ?? NO_TIMES);
   readonly layout = new Layout();
   readonly exports = new Exports();
   readonly faults = new Faults();
