@@ -5,6 +5,7 @@ import type { PoseTrack } from "./run";
 import type { Scenario } from "./scenario";
 import type { Shape } from "./scene/draw-list";
 import type { Label, Layer, SceneInput } from "./scene/input";
+import type { StudyCurves } from "./study";
 
 /** What every lab's run has: all that the frame itself reads of it. */
 export interface LabRun {
@@ -47,6 +48,8 @@ export interface Lab<R extends LabRun = LabRun> {
   readonly layers: readonly Layer<R>[];
   labels(input: SceneInput<R>): Label[];
   plots(scenario: Scenario, run: R): PlotSpec[];
+  /** The same plots of the averages over many trials; a lab without it has no such view. */
+  studyPlots?(times: Float64Array, study: StudyCurves): PlotSpec[];
   marks(run: R): readonly TimelineMarks[];
   /** One sentence on what the run shows. */
   describe(run: R): string;

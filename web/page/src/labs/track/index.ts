@@ -8,6 +8,7 @@ import type { Label, SceneInput } from "../../scene/input";
 import Controls from "./controls/Panel.svelte";
 import { bodyAxes, estimates, ranges, truth, uncertainty } from "./layers";
 import { eventSteps, plots } from "./plots";
+import { studyPlots } from "./study-plots";
 import Readout from "./Readout.svelte";
 import { describe } from "./sentence";
 import { MARKS } from "../../theme/palette";
@@ -28,6 +29,7 @@ export const lab: Lab<Run> = {
     ...groundLabels(input),
   ],
   plots,
+  studyPlots,
   marks: (run) =>
     run.estimators
       .filter((estimator) => estimator.name === "et-kf")
