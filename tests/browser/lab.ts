@@ -48,7 +48,12 @@ export class Lab {
 
   /** The pixel of an anchor: its label says where it is. */
   async anchorPixel(number: number): Promise<{ x: number; y: number }> {
-    const label = this.page.locator("svg.labels text.anchor").nth(number - 1);
+    return this.pixelOf(`${number - 1}`);
+  }
+
+  /** The pixel of the point that a label of the scene names: "0" is the first anchor, "start" the start of the body. */
+  async pixelOf(id: string): Promise<{ x: number; y: number }> {
+    const label = this.page.locator(`svg.labels text[data-id="${id}"]`);
     const box = await this.surface.boundingBox();
     if (!box) throw new Error("the scene is not on the page");
     const [x, y] = await Promise.all([label.getAttribute("data-x"), label.getAttribute("data-y")]);

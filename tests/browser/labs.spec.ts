@@ -15,7 +15,7 @@ const SECOND = `
   export const lab = {
     name: "second", title: "Second", order: 99, presets, preset, firstPreset: "tracking-paper",
     compute: (scenario) => ({ ...track(scenario), estimators: [], bounds: [] }),
-    layers: [], labels: () => [], plots: () => [], marks: () => [],
+    layers: [], labels: () => [], note: () => "", told: () => [], plots: () => [], marks: () => [],
     describe: (run) => "The second lab ran " + run.steps + " steps.",
     Controls: Part, Readout: Part,
   };`;

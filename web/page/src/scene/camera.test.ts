@@ -1,5 +1,6 @@
 import { describe, expect, test } from "vitest";
-import { type Camera, DIRECTIONS, fit, limit, orbit, pan, zoom, zoomTo } from "./camera";
+import { type Camera, DIRECTIONS, limit, orbit, pan, zoom, zoomTo } from "./camera";
+import { fit } from "./fit";
 import type { Frame } from "./frame";
 import type { Vec3 } from "./geometry";
 import { between } from "./transition";
@@ -134,4 +135,17 @@ describe("camera moves", () => {
       }
     },
   );
+
+  test("fit keeps clear what lies over the view, also of points near the viewer", () => {
+    const inset = { left: 300, top: 80, bottom: 40 };
+    const near: Vec3[] = [...points, [5, -9, 0.2]];
+    const view = new View(fit(near, DIRECTIONS.front, viewport, inset), viewport);
+    for (const point of near) {
+      const { x, y } = view.project(point);
+      expect(x).toBeGreaterThan(inset.left);
+      expect(x).toBeLessThan(viewport.width);
+      expect(y).toBeGreaterThan(inset.top);
+      expect(y).toBeLessThan(viewport.height - inset.bottom);
+    }
+  });
 });

@@ -1,4 +1,4 @@
-import { add, dot, length, scale, sub, type Vec3 } from "./geometry";
+import { add, length, scale, sub, type Vec3 } from "./geometry";
 import type { Frame } from "./frame";
 import type { Pixel, View, Viewport } from "./view";
 
@@ -71,41 +71,6 @@ export const DIRECTIONS = {
 } as const;
 export type Direction = Pick<Camera, "yaw" | "pitch" | "orthographic">;
 
-/** Share of the half width or height that the outermost points may take. */
-const FILL = 0.84;
-
-/** CSS pixels at the edges of the view that are kept clear. */
-export interface Inset {
-  readonly left: number;
-  readonly bottom: number;
-}
-
-/** Looks at points from the given direction, with their middle in the middle, just far enough to see them all. */
-export function fit(
-  points: readonly Vec3[],
-  direction: Direction,
-  viewport: Viewport,
-  inset: Inset = { left: 0, bottom: 0 },
-): Camera {
-  const { yaw, pitch, orthographic } = direction;
-  const facing: Camera = { target: [0, 0, 0], yaw, pitch, orthographic, distance: 1 };
-  const axes = [rightward(facing), upward(facing), backward(facing)];
-  const middles = axes.map((axis) => middle(points.map((point) => dot(point, axis))));
-  const target = axes.map((axis, i) => scale(axis, middles[i])).reduce(add);
-  const height = Math.max(1, viewport.height);
-  const clear = Math.max(1, viewport.height - inset.bottom);
-  const tangent = (FILL * halfHeight(1) * clear) / height;
-  const aspect = (viewport.width - inset.left) / clear;
-  const needed = points.map((point) => {
-    const [right, up, back] = axes.map((axis) => dot(sub(point, target), axis));
-    return Math.max(Math.abs(right) / (tangent * aspect), Math.abs(up) / tangent) + (orthographic ? 0 : back);
-  });
-  const camera = { ...facing, target, distance: Math.max(1e-3, ...needed) };
-  return pan(camera, inset.left / 2, -inset.bottom / 2, viewport);
-}
-
-const middle = (values: readonly number[]): number => (Math.min(...values) + Math.max(...values)) / 2;
-
 export function backward({ yaw, pitch }: Camera): Vec3 {
   return [Math.cos(pitch) * Math.cos(yaw), Math.cos(pitch) * Math.sin(yaw), Math.sin(pitch)];
 }
@@ -114,6 +79,6 @@ export function upward({ yaw, pitch }: Camera): Vec3 {
   return [-Math.sin(pitch) * Math.cos(yaw), -Math.sin(pitch) * Math.sin(yaw), Math.cos(pitch)];
 }
 
-function rightward({ yaw }: Camera): Vec3 {
+export function rightward({ yaw }: Camera): Vec3 {
   return [-Math.sin(yaw), Math.cos(yaw), 0];
 }

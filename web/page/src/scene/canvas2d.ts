@@ -14,11 +14,12 @@ const ALWAYS_IN_FRONT = -1;
 /** The last resort: the same lists on a plain canvas, far things first. Works wherever a page works. */
 export class Canvas2dRenderer implements Renderer {
   readonly backend = "canvas2d";
+  readonly canvas = document.createElement("canvas");
   readonly #context: CanvasRenderingContext2D;
   #scale = 1;
 
-  constructor(canvas: HTMLCanvasElement) {
-    const context = canvas.getContext("2d");
+  constructor() {
+    const context = this.canvas.getContext("2d");
     if (!context)
       throw new Error("This browser has no canvas: the scene cannot be drawn. The numbers still work.");
     this.#context = context;
@@ -57,16 +58,22 @@ export class Canvas2dRenderer implements Renderer {
     return { x: x * this.#scale, y: y * this.#scale, depth };
   }
 
+  /** Segments that continue each other are one line: painted once, and far fewer strokes. */
   #segments(values: Float32Array, view: View): Item[] {
     const items: Item[] = [];
+    let line: Line | null = null;
     for (let at = 0; at < values.length; at += STRIDE.segment) {
       const ends = this.#visiblePart(view, values, at);
-      if (!ends) continue;
-      const [a, b] = ends;
-      const [width, dash] = [values[at + 6], values[at + 7]];
-      const color = css([values[at + 8], values[at + 9], values[at + 10], values[at + 11]]);
-      const depth = values[at + 12] > 0 ? ALWAYS_IN_FRONT : (a.depth + b.depth) / 2;
-      items.push({ depth, paint: (context) => strokeLine(context, a, b, width, dash, color) });
+      if (!ends) {
+        line = null;
+        continue;
+      }
+      if (line && continues(values, at)) {
+        line.points.push(ends[1]);
+        continue;
+      }
+      line = startLine(values, at, ends);
+      items.push(line);
     }
     return items;
   }
@@ -142,21 +149,35 @@ interface Deep extends Pixel {
   readonly depth: number;
 }
 
-function strokeLine(
-  context: CanvasRenderingContext2D,
-  a: Pixel,
-  b: Pixel,
-  width: number,
-  dash: number,
-  color: string,
-): void {
-  context.strokeStyle = color;
-  context.lineWidth = width;
-  context.setLineDash(dash > 0 ? [dash, dash] : []);
-  context.beginPath();
-  context.moveTo(a.x, a.y);
-  context.lineTo(b.x, b.y);
-  context.stroke();
+interface Line extends Item {
+  readonly points: Deep[];
+}
+
+/** Whether the segment starts where the one before it ends and looks the same. */
+function continues(values: Float32Array, at: number): boolean {
+  const before = at - STRIDE.segment;
+  for (let i = 0; i < 3; i++) if (values[at + i] !== values[before + 3 + i]) return false;
+  for (let i = 6; i < STRIDE.segment; i++) if (values[at + i] !== values[before + i]) return false;
+  return true;
+}
+
+function startLine(values: Float32Array, at: number, ends: readonly [Deep, Deep]): Line {
+  const [width, dash] = [values[at + 6], values[at + 7]];
+  const color = css([values[at + 8], values[at + 9], values[at + 10], values[at + 11]]);
+  const points = [...ends];
+  return {
+    points,
+    depth: values[at + 12] > 0 ? ALWAYS_IN_FRONT : (ends[0].depth + ends[1].depth) / 2,
+    paint: (context) => {
+      context.strokeStyle = color;
+      context.lineWidth = width;
+      context.lineJoin = "round";
+      context.setLineDash(dash > 0 ? [dash, dash] : []);
+      context.beginPath();
+      for (const point of points) context.lineTo(point.x, point.y);
+      context.stroke();
+    },
+  };
 }
 
 function paintPolygon(context: CanvasRenderingContext2D, corners: readonly Pixel[], color: string): void {

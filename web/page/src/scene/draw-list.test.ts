@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
 import { type Color, DrawList, STRIDE } from "./draw-list";
+import type { Vec3 } from "./geometry";
 
 const red: Color = [1, 0, 0, 0.5];
 
@@ -59,4 +60,21 @@ test("leaves out what cannot be drawn instead of losing the picture", () => {
     red,
   );
   expect([list.segments.length, list.points.length, list.ellipsoids.length]).toEqual([0, 0, 0]);
+});
+
+test("a path is the same lines, without those that cannot be drawn", () => {
+  const [list, lines] = [new DrawList(), new DrawList()];
+  const points: Vec3[] = [
+    [0, 0, 0],
+    [1, 0, 0],
+    [1, 2, 0],
+    [NaN, 0, 0],
+    [1, 2, 3],
+    [2, 2, 3],
+  ];
+  const style = { width: 2, color: red, dash: 3 };
+  list.path(Float32Array.from(points.flat()), 1, 5, style);
+  lines.polyline(points.slice(1), style);
+  expect([...list.segments]).toEqual([...lines.segments]);
+  expect(list.segments).toHaveLength(2 * STRIDE.segment);
 });

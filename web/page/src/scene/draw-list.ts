@@ -15,13 +15,17 @@ class FloatList {
   #length = 0;
 
   push(...values: number[]): void {
-    if (this.#length + values.length > this.#values.length) {
+    this.copy(values, 0, values.length);
+  }
+
+  copy(source: ArrayLike<number>, from: number, count: number): void {
+    if (this.#length + count > this.#values.length) {
       const larger = new Float32Array(this.#values.length * 2);
       larger.set(this.#values);
       this.#values = larger;
     }
-    this.#values.set(values, this.#length);
-    this.#length += values.length;
+    for (let i = 0; i < count; i++) this.#values[this.#length + i] = source[from + i];
+    this.#length += count;
   }
 
   clear(): void {
@@ -79,6 +83,19 @@ export class DrawList {
 
   polyline(points: readonly Vec3[], style: LineStyle): void {
     for (let i = 1; i < points.length; i++) this.line(points[i - 1], points[i], style);
+  }
+
+  /** Lines through the points of a flat list of coordinates, from one index to another. */
+  path(coordinates: Float32Array, first: number, last: number, style: LineStyle): void {
+    const width = style.width * this.weight * this.pixelRatio;
+    const look = [width, (style.dash ?? 0) * this.pixelRatio, ...style.color, style.overlay ? 1 : 0];
+    for (let at = 3 * first; at < 3 * last; at += 3) {
+      let far = false;
+      for (let i = at; i < at + 6; i++) far ||= !(Math.abs(coordinates[i]) < FARTHEST);
+      if (far) continue;
+      this.#segments.copy(coordinates, at, 6);
+      this.#segments.copy(look, 0, look.length);
+    }
   }
 
   point(centre: Vec3, radius: number, color: Color, shape: Shape): void {

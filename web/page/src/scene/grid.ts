@@ -1,4 +1,3 @@
-import { halfHeight } from "./camera";
 import type { Frame } from "./frame";
 import { niceBelow, type Vec3 } from "./geometry";
 import type { View } from "./view";
@@ -25,9 +24,10 @@ const VIEWS = 1.6;
 export function gridOf(view: View, frame: Frame, points: Iterable<Vec3>): Grid {
   const { camera, viewport } = view;
   const { low, high } = boxOf(frame, points);
-  const spacing = niceBelow(CELL_PIXELS * view.metresPerPixel(camera.target));
-  const reach =
-    VIEWS * halfHeight(camera.distance) * Math.max(1, viewport.width / Math.max(1, viewport.height));
+  const foot: Vec3 = [camera.target[0], camera.target[1], frame.ground];
+  const metresPerPixel = Math.max(view.metresPerPixel(camera.target), view.metresPerPixel(foot));
+  const spacing = niceBelow(CELL_PIXELS * metresPerPixel);
+  const reach = (VIEWS / 2) * metresPerPixel * Math.max(viewport.width, viewport.height);
   const along = (axis: 0 | 1) =>
     multiples(
       spacing,

@@ -25,24 +25,28 @@ export function groundLabels(input: SceneInput): Label[] {
   const grid = gridOf(view, frame, thingPoints(input).values());
   const { xs, ys, zs } = grid;
   if (xs.length === 0 || ys.length === 0) return [];
-  const near = (values: readonly number[], axis: 0 | 1): [number, number] => {
-    const ends: [number, number] = [values[0], values.at(-1)!];
-    return view.eye[axis] < (ends[0] + ends[1]) / 2 ? ends : [ends[1], ends[0]];
-  };
-  const [nearY, farY] = near(ys, 1);
-  const [nearX, farX] = near(xs, 0);
+  const at = (x: number, y: number): Vec3 => [x, y, frame.ground];
+  const [nearY, farY] = nearFirst(ys, view, (y) => at((xs[0] + xs.at(-1)!) / 2, y));
+  const [nearX, farX] = nearFirst(xs, view, (x) => at(x, (ys[0] + ys.at(-1)!) / 2));
   const pole = poleOf(grid, input);
   return [
-    ...scaleAlong("x", xs, view, (x) => [
-      [x, nearY, frame.ground],
-      [x, farY, frame.ground],
-    ]),
-    ...scaleAlong("y", ys, view, (y) => [
-      [nearX, y, frame.ground],
-      [farX, y, frame.ground],
-    ]),
+    ...scaleAlong("x", xs, view, (x) => [at(x, nearY), at(x, farY)]),
+    ...scaleAlong("y", ys, view, (y) => [at(nearX, y), at(farX, y)]),
     ...(pole ? uprightScale(zs, view, pole) : []),
   ];
+}
+
+/** First and last line, the one nearer to the viewer first: lower on the screen or behind, else on the left. */
+function nearFirst(
+  values: readonly number[],
+  view: View,
+  middle: (value: number) => Vec3,
+): readonly [number, number] {
+  const [a, b] = [values[0], values.at(-1)!];
+  const [at, bt] = [view.project(middle(a)), view.project(middle(b))];
+  const before = Math.abs(at.y - bt.y) > 1 ? at.y > bt.y : at.x < bt.x;
+  const first = Math.min(at.depth, bt.depth) > 0 ? before : at.depth < bt.depth;
+  return first ? [a, b] : [b, a];
 }
 
 /** The corner of the grid that stands farthest to the left, as a function of the height; none where seen from above. */

@@ -1,13 +1,13 @@
 import { createWasmScene, type WasmScene } from "../engine";
+import { type Backend, offers, startWithin } from "./backends";
+import { Canvas2dRenderer } from "./canvas2d";
 import type { Color, DrawList } from "./draw-list";
 import type { View } from "./view";
-
-export const BACKENDS = ["webgpu", "webgl", "canvas2d"] as const;
-export type Backend = (typeof BACKENDS)[number];
 
 /** Draws lists of shapes on one canvas. */
 export interface Renderer {
   readonly backend: Backend;
+  readonly canvas: HTMLCanvasElement;
   /** Physical pixels. */
   resize(width: number, height: number): void;
   draw(list: DrawList, view: View, background: Color): void;
@@ -18,13 +18,15 @@ export interface Renderer {
 
 class WasmRenderer implements Renderer {
   readonly #scene: WasmScene;
-  readonly backend: Backend;
   #width = 1;
   #height = 1;
 
-  constructor(scene: WasmScene, backend: Backend) {
+  constructor(
+    scene: WasmScene,
+    readonly backend: Backend,
+    readonly canvas: HTMLCanvasElement,
+  ) {
     this.#scene = scene;
-    this.backend = backend;
   }
 
   resize(width: number, height: number): void {
@@ -49,37 +51,29 @@ class WasmRenderer implements Renderer {
   }
 
   free(): void {
-    this.#scene.free();
+    try {
+      this.#scene.free();
+    } catch (error) {
+      console.warn("A module that stopped could not be cleared away.", error);
+    }
   }
 }
 
-/** `?renderer=webgl` in the address asks for one; without it all are tried, best first. */
-export function wantedBackends(search: string): readonly Backend[] {
-  const wanted = new URLSearchParams(search).get("renderer");
-  const first = BACKENDS.indexOf(wanted as Backend);
-  return first < 0 ? BACKENDS : BACKENDS.slice(first);
-}
-
-/** Starts the first of the drawing modules that works, each on a canvas of its own; null where none does. */
-export async function startModule(
-  backends: readonly Backend[],
-): Promise<{ renderer: Renderer; canvas: HTMLCanvasElement } | null> {
+/** Starts the first of the backends that works, on a canvas of its own. */
+export async function startRenderer(backends: readonly Backend[]): Promise<Renderer> {
   for (const backend of backends) {
-    if (backend === "canvas2d" || !(await offers(backend))) continue;
-    const canvas = document.createElement("canvas");
+    if (backend === "canvas2d") continue;
     try {
-      return { renderer: new WasmRenderer(await createWasmScene(backend, canvas), backend), canvas };
+      if (await offers(backend)) return await startModule(backend);
     } catch (error) {
       console.warn(`The ${backend} renderer did not start.`, error);
     }
   }
-  return null;
+  return new Canvas2dRenderer();
 }
 
-/** `navigator.gpu` exists on machines without an adapter, so it is asked for one before a module is loaded. */
-async function offers(backend: Backend): Promise<boolean> {
-  if (backend === "webgl") return document.createElement("canvas").getContext("webgl2") !== null;
-  const gpu = (navigator as { gpu?: { requestAdapter(): Promise<object | null> } }).gpu;
-  const adapter = await gpu?.requestAdapter().catch(() => null);
-  return adapter !== null && adapter !== undefined;
+async function startModule(backend: "webgpu" | "webgl"): Promise<Renderer> {
+  const canvas = document.createElement("canvas");
+  const scene = await startWithin(createWasmScene(backend, canvas), (late) => late.free());
+  return new WasmRenderer(scene, backend, canvas);
 }

@@ -1,6 +1,7 @@
 import type { Session } from "../state/session.svelte";
 import type { Timeline } from "../state/timeline.svelte";
-import { type Camera, type Direction, DIRECTIONS, fit, type Inset, limit, zoom } from "./camera";
+import { type Camera, type Direction, DIRECTIONS, limit, zoom } from "./camera";
+import { fit, type Inset } from "./fit";
 import { bodyPosition, type Frame, frameOf, type Subject } from "./frame";
 import { add, sub, type Vec3 } from "./geometry";
 import { Transition } from "./transition";
@@ -10,7 +11,7 @@ import { View, type Viewport } from "./view";
 export class SceneView {
   viewport: Viewport = $state.raw({ width: 800, height: 500 });
   /** CSS pixels of the view that something else lies over. */
-  inset: Inset = { left: 0, bottom: 0 };
+  inset: Inset = { left: 0, top: 0, bottom: 0 };
   frame: Frame = $state.raw()!;
   camera: Camera = $state.raw()!;
   /** The body is followed while it is the subject. */

@@ -1,12 +1,13 @@
+import { type Backend, wantedBackends } from "./backends";
 import { Canvas2dRenderer } from "./canvas2d";
 import type { Color, DrawList } from "./draw-list";
+import { type Renderer, startRenderer } from "./renderer";
 import type { View } from "./view";
-import { type Backend, type Renderer, startModule, wantedBackends } from "./renderer";
 
-interface Act {
-  readonly renderer: Renderer;
-  readonly canvas: HTMLCanvasElement;
-}
+/** Milliseconds between looks whether the device is still there: it may go while nothing is drawn. */
+const WATCH = 500;
+/** A device that is lost as often as this is not asked for again. */
+const MOST_LOSSES = 3;
 
 /**
  * The renderer on its canvas inside an element. A plain canvas draws until the module for the graphics device has
@@ -14,56 +15,72 @@ interface Act {
  */
 export class Stage {
   readonly #host: HTMLElement;
-  readonly #onReady: (backend: Backend) => void;
-  #act: Act;
+  readonly #onChange: (backend: Backend | "") => void;
+  readonly #watch: number;
+  #renderer: Renderer = new Canvas2dRenderer();
   #width = 1;
   #height = 1;
+  #losses = 0;
   #freed = false;
 
-  constructor(host: HTMLElement, onReady: (backend: Backend) => void) {
+  /** `onChange` hears of each renderer, so that it gets its first picture; empty while one is being started. */
+  constructor(host: HTMLElement, onChange: (backend: Backend | "") => void) {
     this.#host = host;
-    this.#onReady = onReady;
-    this.#act = this.#standIn();
+    this.#onChange = onChange;
+    this.#watch = window.setInterval(() => this.#renderer.lost() && this.#replace(), WATCH);
     void this.#start();
   }
 
   resize(width: number, height: number): void {
     this.#width = Math.max(1, width);
     this.#height = Math.max(1, height);
-    this.#act.renderer.resize(this.#width, this.#height);
+    this.#attempt(() => this.#renderer.resize(this.#width, this.#height));
   }
 
   draw(list: DrawList, view: View, background: Color): void {
-    if (this.#act.renderer.lost()) {
-      this.#use(this.#standIn());
-      void this.#start();
-    }
-    const { renderer, canvas } = this.#act;
-    renderer.draw(list, view, background);
+    if (this.#renderer.lost()) this.#replace();
+    this.#attempt(() => this.#renderer.draw(list, view, background));
     // A new canvas is shown once it has its first picture.
+    const { canvas } = this.#renderer;
     if (canvas.parentElement !== this.#host) this.#host.replaceChildren(canvas);
   }
 
   free(): void {
     this.#freed = true;
-    this.#act.renderer.free();
+    window.clearInterval(this.#watch);
+    this.#renderer.free();
+  }
+
+  /** A device that refuses is as good as lost. */
+  #attempt(action: () => void): void {
+    try {
+      action();
+    } catch (error) {
+      console.warn(`The ${this.#renderer.backend} renderer failed.`, error);
+      this.#replace();
+      action();
+    }
+  }
+
+  /** Lets the plain canvas stand in and asks for a new device. */
+  #replace(): void {
+    this.#losses += 1;
+    this.#use(new Canvas2dRenderer());
+    this.#onChange("");
+    void this.#start();
   }
 
   async #start(): Promise<void> {
-    const act = await startModule(wantedBackends(location.search));
-    if (this.#freed) return act?.renderer.free();
-    if (act) this.#use(act);
-    this.#onReady(this.#act.renderer.backend);
+    const backends = wantedBackends(location.search);
+    const renderer = await startRenderer(this.#losses < MOST_LOSSES ? backends : ["canvas2d"]);
+    if (this.#freed) return renderer.free();
+    this.#use(renderer);
+    this.#onChange(renderer.backend);
   }
 
-  #use(act: Act): void {
-    this.#act.renderer.free();
-    this.#act = act;
-    act.renderer.resize(this.#width, this.#height);
-  }
-
-  #standIn(): Act {
-    const canvas = document.createElement("canvas");
-    return { renderer: new Canvas2dRenderer(canvas), canvas };
+  #use(renderer: Renderer): void {
+    this.#renderer.free();
+    this.#renderer = renderer;
+    this.resize(this.#width, this.#height);
   }
 }

@@ -7,6 +7,7 @@ import {
   movable,
   moveSentence,
   nameOf,
+  onto,
   type Places,
   placeOf,
   placesOf,
@@ -93,7 +94,7 @@ export function place(session: Session, things: readonly Thing[], axis: number, 
       return [thing, at.with(axis, coordinate)];
     }),
   );
-  const what = `${nameOf(things)}: ${AXES[axis]} set to ${formatNumber(value)} m`;
+  const what = `${nameOf(things)}: ${AXES[axis]} set to ${formatNumber(value)} m${onto(session.scenario, moved)}`;
   return session.edit(what, putAt(session.scenario, moved));
 }
 

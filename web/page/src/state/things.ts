@@ -57,17 +57,21 @@ export function nameOf(things: readonly Thing[]): string {
   return anchors.length < things.length ? `${name} and the start of the body` : name;
 }
 
-/** "Anchor 2 moved to (1, 2, 0) m", and what it means where there is another one already. */
+/** "Anchor 2 moved to (1, 2, 0) m". */
 export function moveSentence(scenario: Scenario, places: Places): string {
   const things = [...places.keys()];
   if (things.length > 1) return `${nameOf(things)} moved, now around ${formatPoint(centroid(places))}`;
-  const [[thing, place]] = places;
-  const under = scenario.anchors.findIndex(
-    (anchor, index) => index !== thing && anchor.every((value, axis) => value === place[axis]),
-  );
-  const onto =
-    under < 0 || thing === "start"
-      ? ""
-      : `, onto anchor ${under + 1}: they now tell no more than one better one`;
-  return `${nameOf(things)} moved to ${formatPoint(place)}${onto}`;
+  return `${nameOf(things)} moved to ${formatPoint(centroid(places))}${onto(scenario, places)}`;
+}
+
+/** What it means that an anchor now stands where there is one already; empty where there is none. */
+export function onto(scenario: Scenario, places: Places): string {
+  for (const [thing, place] of places) {
+    if (thing === "start") continue;
+    const under = scenario.anchors.findIndex(
+      (anchor, index) => !places.has(index) && anchor.every((value, axis) => value === place[axis]),
+    );
+    if (under >= 0) return `, onto anchor ${under + 1}: together they count as one better anchor`;
+  }
+  return "";
 }
