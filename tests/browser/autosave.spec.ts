@@ -93,7 +93,7 @@ for (const [what, spoil] of [
     const before = await lab.readout();
     await lab.type("Seed", "41");
     await expect(lab.status).toContainText("Seed set to 41");
-    await page.getByLabel("Theme").selectOption("Dark");
+    await page.getByLabel("Theme").selectOption("dark");
     await expect(page.locator("html")).toHaveAttribute("data-theme", "dark");
     await page.keyboard.press("Control+z");
     await expect.poll(() => lab.readout()).toBe(before);

@@ -10,5 +10,7 @@ export default defineConfig({
     // Each WebAssembly module stays a file of its own: it is compiled while it streams in.
     assetsInlineLimit: 0,
   },
+  // Workers share chunks with the page: they are modules too.
+  worker: { format: "es" },
   test: { include: ["src/**/*.test.ts"], environment: "node" },
 });

@@ -5,6 +5,7 @@ import type { PoseTrack } from "./run";
 import type { Scenario } from "./scenario";
 import type { Shape } from "./scene/draw-list";
 import type { Label, Layer, SceneInput } from "./scene/input";
+import type { StudyCurves } from "./study";
 
 /** What every lab's run has: all that the frame itself reads of it. */
 export interface LabRun {
@@ -19,8 +20,9 @@ export interface LabRun {
 
 /** Steps at which something happened, shown on the timeline. */
 export interface TimelineMarks {
-  /** What happened, as a plural: "projections of ET-KF". */
+  /** What happened, as a plural and of one: "projections of ET-KF", "ET-KF projected". */
   readonly label: string;
+  readonly one: string;
   /** The design token of the colour, and the mark that doubles it. */
   readonly token: string;
   readonly mark: Shape;
@@ -50,6 +52,8 @@ export interface Lab<R extends LabRun = LabRun> {
   /** What the scene shows, a sentence a thing, for those who do not see it; anchors and the true body are told already. */
   told(input: SceneInput<R>): readonly string[];
   plots(scenario: Scenario, run: R): PlotSpec[];
+  /** The same plots of the averages over many trials; a lab without it has no such view. */
+  studyPlots?(times: Float64Array, study: StudyCurves): PlotSpec[];
   marks(run: R): readonly TimelineMarks[];
   /** One sentence on what the run shows. */
   describe(run: R): string;

@@ -8,13 +8,13 @@ import { LABS } from "./labs";
 import { sentenceOf } from "./state/document";
 import { startSession } from "./state/start";
 import { Workspace } from "./state/workspace.svelte";
-import { applyTheme, initialTheme } from "./theme/palette";
+import { applyTheme, initialTheme, themeOf } from "./theme/palette";
 
 async function start(): Promise<void> {
   const target = document.getElementById("app");
   if (!target) throw new Error("index.html has no element with the id app");
   const theme = initialTheme();
-  applyTheme(theme);
+  applyTheme(themeOf(theme, matchMedia("(prefers-color-scheme: dark)").matches));
   try {
     await loadEngine();
     const session = await startSession(location.hash, LABS);

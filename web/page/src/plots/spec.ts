@@ -58,6 +58,13 @@ export interface PlotSpec {
   readonly note: string | null;
 }
 
+/** What the numbers of a plot are of. */
+export interface PlotSource {
+  readonly scenario: Scenario;
+  /** How many trials were averaged, or null for the one run that is drawn. */
+  readonly trials: number | null;
+}
+
 /** How many standard errors the shaded band of an average reaches to either side. */
 export const SPREAD = 2;
 

@@ -7,7 +7,8 @@ test("linear ticks are equal round steps inside the range", () => {
   expect(ticks([0, 0.03], "linear", 4)).toEqual([0, 0.01, 0.02, 0.03]);
 });
 
-test("logarithmic ticks are 1, 2, 5 where they fit, else powers of ten", () => {
+test("logarithmic ticks are all digits, or 1, 2, 5, where they fit, else powers of ten", () => {
+  expect(ticks([0.005, 0.01], "log", 6)).toEqual([0.005, 0.006, 0.007, 0.008, 0.009, 0.01]);
   expect(ticks([0.1, 1], "log", 6)).toEqual([0.1, 0.2, 0.5, 1]);
   expect(ticks([0.05, 20], "log", 4)).toEqual([0.1, 1, 10]);
   expect(ticks([1e-6, 1e6], "log", 5)).toEqual([1e-6, 1e-3, 1, 1e3, 1e6]);

@@ -15,11 +15,11 @@ export function linearTicks([low, high]: readonly [number, number], most: number
   return Array.from({ length: count }, (_, i) => Number(((first + i) * step).toPrecision(12)));
 }
 
-/** 1, 2 and 5 times powers of ten where they fit, else powers of ten, else every second or third of them. */
+/** All digits times powers of ten where they fit, else 1, 2, 5, else 1, 3, else powers of ten or some of them. */
 function logTicks([low, high]: readonly [number, number], most: number): number[] {
   const [first, last] = [Math.floor(Math.log10(low) + 1e-9), Math.ceil(Math.log10(high) - 1e-9)];
   const inside = (value: number) => value >= low * (1 - 1e-9) && value <= high * (1 + 1e-9);
-  const candidates = [[1, 2, 5], [1, 3], [1]].map((digits) =>
+  const candidates = [[1, 2, 3, 4, 5, 6, 7, 8, 9], [1, 2, 5], [1, 3], [1]].map((digits) =>
     powers(first, last, 1).flatMap((power) => digits.map((digit) => digit * 10 ** power)),
   );
   const sparse = [2, 3, 5, 10].map((stride) => powers(first, last, stride).map((power) => 10 ** power));

@@ -1,4 +1,5 @@
 import { getContext, setContext } from "svelte";
+import { keep, recall } from "../state/storage";
 import type { PlotSpec, ScaleKind } from "./spec";
 
 /** Where the choices are remembered. */
@@ -50,14 +51,14 @@ export class PlotsView {
   }
 
   #store(): void {
-    localStorage.setItem(STORED, JSON.stringify(this.#choices));
+    keep(STORED, JSON.stringify(this.#choices));
   }
 }
 
 /** What was stored by hand or by an older page may be anything. */
 function readChoices(): Choices {
   try {
-    const stored = JSON.parse(localStorage.getItem(STORED) ?? "{}") as Partial<Choices>;
+    const stored = JSON.parse(recall(STORED) ?? "{}") as Partial<Choices>;
     const hidden = Array.isArray(stored.hidden) ? stored.hidden : [];
     const scales = Object.entries(stored.scales ?? {}).filter(
       ([, scale]) => scale === "log" || scale === "linear",

@@ -53,6 +53,11 @@ export class Session<R extends LabRun = LabRun> {
     this.#compute();
   }
 
+  /** Whether an edit is in progress. */
+  get previewing(): boolean {
+    return this.#history.inGesture;
+  }
+
   /** Shows an edit in progress; `commit` makes it one entry of the history. */
   preview(what: string, next: Scenario): void {
     this.#history.preview({ scenario: next, what });

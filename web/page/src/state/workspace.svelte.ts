@@ -1,20 +1,42 @@
 import { getContext, setContext } from "svelte";
 import { MediaQuery } from "svelte/reactivity";
 import type { Lab, LabRun } from "../lab";
-import { applyTheme, type Palette, readPalette, type Theme } from "../theme/palette";
+import {
+  applyTheme,
+  type Palette,
+  readPalette,
+  type Theme,
+  type ThemeChoice,
+  themeOf,
+} from "../theme/palette";
+import { Exports } from "./exports.svelte";
+import { Faults } from "./faults.svelte";
+import { Layout } from "./layout.svelte";
 import type { Session } from "./session.svelte";
 import { keep } from "./storage";
 import type { Thing } from "./things";
 import { Timeline } from "./timeline.svelte";
 
-const narrow = new MediaQuery("max-width: 700px");
+const narrow = new MediaQuery("(max-width: 700px) or (max-height: 480px)");
 const medium = new MediaQuery("max-width: 1100px");
+const dark = new MediaQuery("prefers-color-scheme: dark");
+
+const NO_TIMES = new Float64Array();
 
 /** What every part of the frame shares: the scenario, its lab and run, the time cursor, the looks. */
 export class Workspace<R extends LabRun = LabRun> {
-  readonly timeline = new Timeline();
-  theme: Theme = $state("light");
-  palette: Palette = $state.raw()!;
+  readonly timeline: Timeline = new Timeline(() => this.session.run?.times ?? NO_TIMES);
+  readonly layout = new Layout();
+  readonly exports = new Exports();
+  readonly faults = new Faults();
+  themeChoice: ThemeChoice = $state("system");
+  theme: Theme = $derived(themeOf(this.themeChoice, dark.current));
+  /** The style sheet shows the theme before its colours are read. */
+  palette: Palette = $derived.by(() => {
+    applyTheme(this.theme);
+    return readPalette(this.theme);
+  });
+  helpOpen = $state(false);
   /** What is under the pointer. */
   hovered: Thing | null = $state(null);
   /** The one estimator that stands out in the plots, or null. */
@@ -31,9 +53,9 @@ export class Workspace<R extends LabRun = LabRun> {
 
   constructor(
     readonly session: Session<R>,
-    theme: Theme,
+    themeChoice: ThemeChoice,
   ) {
-    this.#showTheme(theme);
+    this.themeChoice = themeChoice;
   }
 
   /** Lets an estimator stand out, or all be equal again. */
@@ -41,15 +63,9 @@ export class Workspace<R extends LabRun = LabRun> {
     this.emphasis = this.emphasis === name ? null : name;
   }
 
-  setTheme(theme: Theme): void {
-    keep("theme", theme);
-    this.#showTheme(theme);
-  }
-
-  #showTheme(theme: Theme): void {
-    applyTheme(theme);
-    this.theme = theme;
-    this.palette = readPalette(theme);
+  setTheme(choice: ThemeChoice): void {
+    keep("theme", choice);
+    this.themeChoice = choice;
   }
 }
 

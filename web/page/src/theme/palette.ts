@@ -4,6 +4,10 @@ import type { Color, Shape } from "../scene/draw-list";
 export const THEMES = ["light", "dark", "projector"] as const;
 export type Theme = (typeof THEMES)[number];
 
+/** What a visitor can ask for: a theme, or that of the system. */
+export const THEME_CHOICES = ["system", ...THEMES] as const;
+export type ThemeChoice = (typeof THEME_CHOICES)[number];
+
 /** The mark of each estimator, in the scene, the plots and the text. */
 export const MARKS: Record<string, Shape> = {
   kf: "ring",
@@ -49,12 +53,20 @@ export function parseHex(hex: string, alpha: number): Color {
   return [(value >> 16) / 255, ((value >> 8) & 255) / 255, (value & 255) / 255, alpha];
 }
 
-export function initialTheme(): Theme {
+/** What the address asks for, else what was chosen at the last visit. */
+export function initialTheme(): ThemeChoice {
   const wanted = new URLSearchParams(location.search).get("theme") ?? recall("theme");
-  if (THEMES.includes(wanted as Theme)) return wanted as Theme;
-  return matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
+  return THEME_CHOICES.find((choice) => choice === wanted) ?? "system";
 }
 
+export function themeOf(choice: ThemeChoice, systemIsDark: boolean): Theme {
+  if (choice !== "system") return choice;
+  return systemIsDark ? "dark" : "light";
+}
+
+/** The browser's own bars take the colour of the header. */
 export function applyTheme(theme: Theme): void {
-  document.documentElement.dataset.theme = theme;
+  document.documentElement.dataset["theme"] = theme;
+  const surface = getComputedStyle(document.documentElement).getPropertyValue("--surface").trim();
+  document.querySelector("meta[name=theme-color]")?.setAttribute("content", surface);
 }

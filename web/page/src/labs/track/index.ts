@@ -9,6 +9,7 @@ import Controls from "./controls/Panel.svelte";
 import { axesOf, axisLength, drawnPosition } from "./drawn";
 import { estimates, ranges, truth } from "./layers";
 import { eventSteps, plots } from "./plots";
+import { studyPlots } from "./study-plots";
 import Readout from "./Readout.svelte";
 import { note, told } from "./told";
 import { ellipsoids, fans } from "./uncertainty";
@@ -33,11 +34,13 @@ export const lab: Lab<Run> = {
   note,
   told,
   plots,
+  studyPlots,
   marks: (run) =>
     run.estimators
       .filter((estimator) => estimator.name === "et-kf")
       .map((estimator) => ({
         label: "projections of ET-KF",
+        one: "ET-KF projected",
         token: estimator.name,
         mark: MARKS[estimator.name],
         steps: eventSteps(estimator),

@@ -1,4 +1,5 @@
 import { DEGREES_PER_RADIAN, formatNumber } from "../../controls/format";
+import { chiSquaredInterval } from "../../engine";
 import type { PlotLine, PlotSpec, Threshold } from "../../plots/spec";
 import { type BoundRun, type EstimatorRun, type Run, runsAt } from "../../run";
 import type { Scenario } from "../../scenario";
@@ -50,6 +51,7 @@ export function boundLineLook(bound: Named): Omit<PlotLine, "values"> {
 }
 
 export const ORIENTATION = { name: "orientation", shortTitle: "Orientation", unit: "deg" } as const;
+export const CONSISTENCY = { name: "nees", shortTitle: "NEES", unit: "" } as const;
 export const POSITION = { name: "position", shortTitle: "Position", unit: "m" } as const;
 
 /** What every plot is unless it says otherwise. */
@@ -86,7 +88,43 @@ export function plots(scenario: Scenario, run: Run): PlotSpec[] {
       threshold: threshold(scenario, run),
       note: thresholdNote(scenario),
     },
+    {
+      ...common,
+      ...CONSISTENCY,
+      title: "NEES / dof",
+      lines: neesLines(run),
+      bands: neesBands(run.estimators, 1),
+    },
   ];
+}
+
+/** Over its degrees of freedom, so that estimators with different ones can be compared: 1 is right for all. */
+function neesLines(run: Run): PlotLine[] {
+  return run.estimators.map((estimator) => ({
+    ...estimatorLook(estimator),
+    values: estimator.nees.map((value, step) =>
+      runsAt(estimator, step) ? value / estimator.neesDegreesOfFreedom : NaN,
+    ),
+  }));
+}
+
+/** Where 95 % of the means over so many trials lie if the covariances are right, once for each number of degrees. */
+export function neesBands(
+  estimators: readonly { readonly neesDegreesOfFreedom: number }[],
+  trials: number,
+): PlotSpec["bands"] {
+  const all = estimators.map((estimator) => estimator.neesDegreesOfFreedom).filter((degrees) => degrees > 0);
+  return [...new Set(all)]
+    .toSorted((a, b) => a - b)
+    .map((degrees) => {
+      const freedom = degrees * trials;
+      const [low, high] = chiSquaredInterval(freedom, 0.95);
+      return {
+        low: low / freedom,
+        high: high / freedom,
+        label: `95 % of χ² with ${degrees} degrees of freedom`,
+      };
+    });
 }
 
 function defectLines(run: Run): PlotLine[] {

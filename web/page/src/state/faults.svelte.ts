@@ -1,0 +1,31 @@
+import { version } from "../../package.json";
+import type { Scenario } from "../scenario";
+import { sentenceOf } from "./document";
+import { encodeLink } from "./link";
+
+/** Browsers tell this as an error where a layout settles one frame later; nothing is wrong. */
+const HARMLESS = /^ResizeObserver loop/;
+
+/** Errors nobody foresaw: the last one is told, and can be reported with all that is needed to repeat it. */
+export class Faults {
+  last: unknown = $state.raw(null);
+
+  note(error: unknown): void {
+    if (!HARMLESS.test(sentenceOf(error))) this.last = error ?? "an error without a word";
+  }
+
+  dismiss(): void {
+    this.last = null;
+  }
+}
+
+/** What a maintainer needs: the scenario as a link, the browser, the version, the error. */
+export async function reportOf(error: unknown, scenario: Scenario): Promise<string> {
+  const trace = error instanceof Error ? (error.stack ?? error.message) : String(error);
+  return [
+    `rangelab ${version}`,
+    `Scenario: ${location.href.split("#")[0]}${await encodeLink(scenario)}`,
+    `Browser: ${navigator.userAgent}, window ${innerWidth} x ${innerHeight}`,
+    `Error: ${trace}`,
+  ].join("\n");
+}
