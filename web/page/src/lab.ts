@@ -55,8 +55,8 @@ export interface Lab<R extends LabRun = LabRun> {
   /** The same plots of the averages over many trials; a lab without it has no such view. */
   studyPlots?(times: Float64Array, study: StudyCurves): PlotSpec[];
   marks(run: R): readonly TimelineMarks[];
-  /** One sentence on what the run shows. */
-  describe(run: R): string;
+  /** What the run shows at a step, in a few sentences. */
+  describe(run: R, step: number): string;
   readonly Controls: Component;
   readonly Readout: Component;
 }

@@ -206,7 +206,7 @@ export class Session<R extends LabRun = LabRun> {
     if (this.#pendingFit) this.opened += 1;
     this.#pendingFit = false;
     if (this.#pendingWhat === null) return;
-    this.announcement = this.run ? `${this.#pendingWhat}. ${this.lab.describe(this.run)}` : this.#pendingWhat;
+    this.announcement = `${this.#pendingWhat}.`;
     this.#pendingWhat = null;
   };
 }

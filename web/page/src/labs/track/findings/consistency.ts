@@ -1,0 +1,41 @@
+import { chiSquaredInterval } from "../../../engine";
+import { formatReading } from "../../../controls/format";
+import type { EstimatorRun } from "../../../run";
+import { joined } from "../words";
+import type { Finding } from "./index";
+
+/** How likely a consistent filter is to be told wrongly: once in a thousand steps on either side. */
+const CONSISTENT = 0.998;
+
+/** Estimators whose errors are larger than their covariance allows. */
+export function overconfident(running: EstimatorRun[], step: number): Finding | null {
+  const found = running.filter((estimator) => estimator.nees[step] > band(estimator)[1]);
+  if (found.length === 0) return null;
+  const worst = found.reduce((one, other) => (other.nees[step] > one.nees[step] ? other : one));
+  const nees = `${found.length > 1 ? "up to " : ""}${formatReading(worst.nees[step])}`;
+  return {
+    weight: 70,
+    text: `${joined(found)} ${found.length === 1 ? "is" : "are"} over-confident: NEES ${nees}, where ${formatReading(band(worst)[1])} is rarely passed.`,
+  };
+}
+
+/** Estimators whose errors are smaller than they claim. */
+export function cautious(running: EstimatorRun[], step: number): Finding | null {
+  const found = running.filter((estimator) => estimator.nees[step] < band(estimator)[0]);
+  if (found.length === 0) return null;
+  const least = Math.min(...found.map((estimator) => estimator.nees[step]));
+  return {
+    weight: 15,
+    text: `${joined(found)} ${found.length === 1 ? "knows" : "know"} more than claimed: NEES ${found.length > 1 ? "down to " : ""}${formatReading(least)}.`,
+  };
+}
+
+const bands = new Map<number, readonly [number, number]>();
+
+/** What the NEES of a consistent filter lies between; everything where it has none. */
+function band({ neesDegreesOfFreedom: degrees }: EstimatorRun): readonly [number, number] {
+  if (degrees === 0) return [0, Infinity];
+  const known = bands.get(degrees) ?? chiSquaredInterval(degrees, CONSISTENT);
+  bands.set(degrees, known);
+  return known;
+}

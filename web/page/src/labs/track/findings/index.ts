@@ -1,0 +1,25 @@
+import { type Run, runsAt } from "../../../run";
+import { cautious, overconfident } from "./consistency";
+import { mirrored, nearest, projected, stopped } from "./errors";
+import { weakGeometry } from "./geometry";
+
+/** Something worth saying about a run at a step. */
+export interface Finding {
+  readonly text: string;
+  /** How much it matters; a few of the weightiest are said. */
+  readonly weight: number;
+}
+
+/** Everything that is worth saying, in the order in which it is read. */
+export function findings(run: Run, step: number): Finding[] {
+  const running = run.estimators.filter((estimator) => runsAt(estimator, step));
+  return [
+    stopped(run, step),
+    mirrored(run, running, step),
+    nearest(run, running, step),
+    overconfident(running, step),
+    projected(run, step),
+    weakGeometry(run, step),
+    cautious(running, step),
+  ].filter((finding) => finding !== null);
+}
