@@ -1,16 +1,22 @@
 import type { Run } from "../../run";
-import { findings } from "./findings";
+import { type Finding, findings } from "./findings";
 
-/** More than these nobody reads while the scene moves. */
-const MOST = 3;
+/** More than this nobody reads while the scene moves. */
+const MOST_SENTENCES = 3;
+const MOST_CHARACTERS = 230;
 
-/** What the run shows at a step, in at most three sentences. */
+/** What matters most about the run at a step, in one to three sentences. */
 export function describe(run: Run, step: number): string {
   const all = findings(run, Math.min(step, run.steps - 1));
-  const least = all.map(({ weight }) => weight).sort((one, other) => other - one)[MOST - 1] ?? 0;
+  const chosen = new Set<Finding>();
+  let length = 0;
+  for (const finding of all.toSorted((one, other) => other.weight - one.weight)) {
+    length += finding.text.length + 1;
+    if (chosen.size > 0 && (chosen.size === MOST_SENTENCES || length > MOST_CHARACTERS)) break;
+    chosen.add(finding);
+  }
   return all
-    .filter(({ weight }) => weight >= least)
-    .slice(0, MOST)
+    .filter((finding) => chosen.has(finding))
     .map(({ text }) => text)
     .join(" ");
 }

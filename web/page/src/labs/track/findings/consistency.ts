@@ -33,7 +33,7 @@ export function cautious(running: EstimatorRun[], step: number): Finding | null 
 const bands = new Map<number, readonly [number, number]>();
 
 /** What the NEES of a consistent filter lies between; everything where it has none. */
-function band({ neesDegreesOfFreedom: degrees }: EstimatorRun): readonly [number, number] {
+export function band({ neesDegreesOfFreedom: degrees }: EstimatorRun): readonly [number, number] {
   if (degrees === 0) return [0, Infinity];
   const known = bands.get(degrees) ?? chiSquaredInterval(degrees, CONSISTENT);
   bands.set(degrees, known);

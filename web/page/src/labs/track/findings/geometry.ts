@@ -9,10 +9,10 @@ export function weakGeometry(run: Run, step: number): Finding | null {
   const [bound] = run.bounds.filter((entry) => entry.name === "posterior_crb");
   const weak = bound ? weakDirection(bound.positionCovariances, step, run.dimension) : null;
   const { unseen } = run.geometry;
-  if (weak === null) return unseen === null ? null : { weight: 65, text: asSentence(unseen) };
+  if (unseen !== null) return { weight: 65, text: asSentence(unseen) };
+  if (weak === null) return null;
   const ratio = formatNumber(Number((weak.along / weak.across).toPrecision(2)));
   const effect = (across: string) => `${weak.name} is known ${ratio} times worse than position ${across}`;
-  if (unseen !== null) return { weight: 65, text: `${asSentence(unseen)} ${startOf(effect("across it"))}.` };
   const weight = 40 + Math.min(20, weak.along / weak.across);
   const cause = thinCause(run, weak.direction);
   if (cause === null) return { weight, text: `${startOf(effect("across it"))}.` };
