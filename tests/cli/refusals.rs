@@ -85,7 +85,7 @@ fn files_that_cannot_be_read_are_refused() {
         rangelab(&[command, bytes.to_str().unwrap()]).refused("valid UTF-8");
     }
     rangelab(&["run", "tracking-papre"]).refused("no preset is called \"tracking-papre\"; there are: room, ");
-    rangelab(&["presets", "moon"]).refused("there are: room, tracking-paper");
+    rangelab(&["presets", "moon"]).refused("there are: room, planar");
 }
 
 #[test]

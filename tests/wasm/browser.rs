@@ -27,11 +27,20 @@ wasm_bindgen_test_configure!(run_in_browser);
 fn golden(name: &str) -> &'static str {
     match name {
         "room" => include_str!("../golden/room.txt"),
-        "tracking-paper" => include_str!("../golden/tracking-paper.txt"),
-        "tracking-paper-redrawn" => include_str!("../golden/tracking-paper-redrawn.txt"),
         "planar" => include_str!("../golden/planar.txt"),
+        "figure-eight" => include_str!("../golden/figure-eight.txt"),
+        "towers" => include_str!("../golden/towers.txt"),
+        "corridor" => include_str!("../golden/corridor.txt"),
         "coplanar-ceiling" => include_str!("../golden/coplanar-ceiling.txt"),
         "three-anchors" => include_str!("../golden/three-anchors.txt"),
+        "mirrored" => include_str!("../golden/mirrored.txt"),
+        "missing-ranges" => include_str!("../golden/missing-ranges.txt"),
+        "small-body" => include_str!("../golden/small-body.txt"),
+        "rod" => include_str!("../golden/rod.txt"),
+        "overconfident" => include_str!("../golden/overconfident.txt"),
+        "wide-prior" => include_str!("../golden/wide-prior.txt"),
+        "tracking-paper" => include_str!("../golden/tracking-paper.txt"),
+        "tracking-paper-redrawn" => include_str!("../golden/tracking-paper-redrawn.txt"),
         other => panic!("the preset {other} has no golden file here"),
     }
 }

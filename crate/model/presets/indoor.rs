@@ -14,11 +14,11 @@ const ROOM: [[f64; 3]; 6] =
     [[0.1, 0.1, 2.7], [5.9, 0.2, 0.4], [5.8, 4.9, 2.6], [0.2, 4.8, 0.5], [3.0, 0.1, 1.9], [2.8, 4.9, 1.1]];
 
 /// Hung from the ceiling of the same room.
-const CEILING: [[f64; 3]; 5] =
+pub const CEILING: [[f64; 3]; 5] =
     [[0.4, 0.5, 2.70], [5.6, 0.4, 2.65], [5.5, 4.6, 2.72], [0.5, 4.5, 2.68], [3.0, 2.4, 2.64]];
 
 /// As large as a hand: a pyramid around its centroid.
-const HAND: [[f64; 3]; 5] = [
+pub const HAND: [[f64; 3]; 5] = [
     [-0.12, -0.08, -0.03],
     [0.12, -0.08, -0.03],
     [0.12, 0.08, -0.03],
@@ -29,8 +29,8 @@ const HAND: [[f64; 3]; 5] = [
 /// Four corners of a hall of 10 x 8 m.
 const HALL: [[f64; 2]; 4] = [[0.2, 0.3], [9.8, 0.2], [9.7, 7.8], [0.3, 7.6]];
 
-/// A robot of 0.6 x 0.4 m, its nose in front.
-const ROBOT: [[f64; 2]; 3] = [[-0.2, -0.2], [-0.2, 0.2], [0.4, 0.0]];
+/// A slender robot of 0.9 x 0.12 m, its nose in front.
+pub const ROBOT: [[f64; 2]; 3] = [[-0.3, -0.06], [-0.3, 0.06], [0.6, 0.0]];
 
 pub fn room() -> Scenario {
     walked("room", &ROOM)
@@ -45,7 +45,7 @@ pub fn three_anchors() -> Scenario {
 }
 
 /// Six seconds across the room, ten epochs a second; the estimators start in its middle, unturned.
-fn walked(name: &str, anchors: &[[f64; 3]]) -> Scenario {
+pub fn walked(name: &str, anchors: &[[f64; 3]]) -> Scenario {
     let mut scenario = base(name, anchors, &HAND, RangeNoise::Range { sigma: 0.01 });
     scenario.interval = 0.1;
     scenario.steps = 60;
