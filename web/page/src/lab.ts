@@ -60,3 +60,15 @@ export interface Lab<R extends LabRun = LabRun> {
   readonly Controls: Component;
   readonly Readout: Component;
 }
+
+/** The lab a scenario is for: the one its view names, the first where it names none, undefined where there is no such lab. */
+export function labOf(scenario: Scenario, labs: readonly Lab[]): Lab | undefined {
+  const wanted = scenario.view?.["lab"];
+  return wanted === undefined ? labs[0] : labs.find((lab) => lab.name === wanted);
+}
+
+/** The scenario marked as one for the lab, so that its link opens there; the first lab needs no mark. */
+export function forLab(scenario: Scenario, lab: Lab, labs: readonly Lab[]): Scenario {
+  if (labOf(scenario, labs) === lab) return scenario;
+  return { ...scenario, view: { ...scenario.view, lab: lab.name } };
+}

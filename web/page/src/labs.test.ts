@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import type { Lab } from "./lab";
-import { forLab, LABS, labOf } from "./labs";
+import { forLab, type Lab, labOf } from "./lab";
+import { LABS } from "./labs";
 import type { Scenario } from "./scenario";
 
 const first = { name: "track" } as Lab;

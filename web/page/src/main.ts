@@ -4,8 +4,8 @@ import "./theme/base.css";
 import { mount } from "svelte";
 import App from "./App.svelte";
 import { loadEngine } from "./engine";
+import NoStart from "./frame/NoStart.svelte";
 import { LABS } from "./labs";
-import { sentenceOf } from "./state/document";
 import { startSession } from "./state/start";
 import { Workspace } from "./state/workspace.svelte";
 import { applyTheme, initialTheme, themeOf } from "./theme/palette";
@@ -20,7 +20,7 @@ async function start(): Promise<void> {
     const session = await startSession(location.hash, LABS);
     mount(App, { target, props: { workspace: new Workspace(session, theme) } });
   } catch (error) {
-    target.textContent = `The page could not start: ${sentenceOf(error)}`;
+    mount(NoStart, { target, props: { error } });
   }
 }
 

@@ -1,6 +1,5 @@
 import * as engine from "../engine";
-import type { Lab } from "../lab";
-import { labOf } from "../labs";
+import { type Lab, labOf } from "../lab";
 import type { Scenario } from "../scenario";
 import { decodeLink } from "./link";
 
@@ -13,7 +12,7 @@ export class DocumentError extends Error {}
 /** The scenario a document from outside holds; `source` names it in sentences: “This link”, “The file room.json”. */
 export function readDocument(document: unknown, source: string, labs: readonly Lab[]): Scenario {
   const [problem] = engine.validate(document);
-  if (problem) throw new DocumentError(`${source} holds a scenario that does not work: ${problem.message}`);
+  if (problem) throw new DocumentError(`${source} holds a scenario that does not work: ${problem.message}.`);
   const scenario = engine.complete(document);
   if (!labOf(scenario, labs))
     throw new DocumentError(

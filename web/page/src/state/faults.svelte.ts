@@ -21,11 +21,16 @@ export class Faults {
 
 /** What a maintainer needs: the scenario as a link, the browser, the version, the error. */
 export async function reportOf(error: unknown, scenario: Scenario): Promise<string> {
-  const trace = error instanceof Error ? (error.stack ?? error.message) : String(error);
   return [
     `rangelab ${version}`,
     `Scenario: ${location.href.split("#")[0]}${await encodeLink(scenario)}`,
     `Browser: ${navigator.userAgent}, window ${innerWidth} x ${innerHeight}`,
-    `Error: ${trace}`,
+    `Error: ${traceOf(error)}`,
   ].join("\n");
+}
+
+function traceOf(error: unknown): string {
+  if (!(error instanceof Error)) return String(error);
+  const trace = error.stack ?? error.message;
+  return error.cause === undefined ? trace : `${trace}\nCause: ${traceOf(error.cause)}`;
 }

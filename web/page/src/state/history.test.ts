@@ -48,6 +48,24 @@ describe("History", () => {
     expect(history.present).toBe(2);
   });
 
+  test("what is discarded cannot be redone", () => {
+    const history = new History(0);
+    history.edit(1);
+    history.edit(2);
+    history.discard();
+    expect([history.present, history.canRedo]).toEqual([1, false]);
+    history.preview(7);
+    history.discard();
+    expect([history.present, history.inGesture]).toEqual([1, false]);
+  });
+
+  test("names what redo would bring back, and keeps more than two hundred entries", () => {
+    const history = new History(0);
+    for (let i = 1; i <= 300; i++) history.edit(i);
+    for (let i = 0; i < 300; i++) history.undo();
+    expect([history.present, history.next, history.canUndo]).toEqual([0, 1, false]);
+  });
+
   test("keeps the last `depth` entries", () => {
     const history = new History(0, 3);
     for (let i = 1; i <= 10; i++) history.edit(i);

@@ -1,6 +1,5 @@
 import * as engine from "../engine";
-import type { Lab, LabRun } from "../lab";
-import { forLab, labOf } from "../labs";
+import { forLab, type Lab, labOf, type LabRun } from "../lab";
 import type { Scenario } from "../scenario";
 import { readLink, readText, sentenceOf, textOf } from "./document";
 import { scheduleCompute } from "./frames";
@@ -13,6 +12,9 @@ interface Entry {
   /** What the edit that led here did, as the start of a sentence: "Anchor 2 moved". */
   what: string;
 }
+
+/** The scenario twice and what stood before it: an engine that breaks over all of these breaks over anything. */
+const MOST_TRAPS = 3;
 
 /** The state everybody reads: the scenario, its lab and run, what is wrong, what changed. Edits go through here. */
 export class Session<R extends LabRun = LabRun> {
@@ -38,6 +40,10 @@ export class Session<R extends LabRun = LabRun> {
   opened = $state(0);
   readonly #keeper = new Keeper();
   #history: History<Entry>;
+  /** The scenario of the last run. */
+  #good: Scenario | null = null;
+  /** How often in a row the engine broke. */
+  #traps = 0;
   /** The last scene of each lab one has been in. */
   #left: Record<string, Scenario> = {};
   #pendingWhat: string | null = "Ready";
@@ -157,7 +163,7 @@ export class Session<R extends LabRun = LabRun> {
   }
 
   #settle(): boolean {
-    const [problem] = engine.validate(this.#history.present.scenario);
+    const problem = this.#problem();
     if (problem) {
       this.#history.cancel();
       this.#show();
@@ -169,6 +175,16 @@ export class Session<R extends LabRun = LabRun> {
     this.#show();
     this.#announce(this.#history.present.what);
     return true;
+  }
+
+  /** What is wrong with the scenario; an engine that breaks over the question is asked again by the next run. */
+  #problem(): engine.Complaint | undefined {
+    try {
+      return engine.validate(this.#history.present.scenario)[0];
+    } catch (error) {
+      void this.#recover(error);
+      return undefined;
+    }
   }
 
   #travel(what: string): void {
@@ -200,15 +216,46 @@ export class Session<R extends LabRun = LabRun> {
     try {
       this.run = this.lab.compute(this.scenario) as R;
       this.failure = null;
+      this.#good = this.scenario;
+      this.#traps = 0;
     } catch (error) {
+      if (error instanceof engine.EngineTrap) return void this.#recover(error);
       this.failure = `${sentenceOf(error)} The last good run stays on the screen.`;
     }
+    this.#tell();
+  };
+
+  /** A fresh engine gets the scenario again; one that breaks over it too gets the last good one. */
+  async #recover(error: unknown): Promise<void> {
+    this.#traps += 1;
+    reportError(error);
+    if (this.#traps > MOST_TRAPS) {
+      this.failure = "The engine stops at every scene. Reload the page; the scene is kept.";
+      return;
+    }
+    await engine.restartEngine();
+    if (this.#traps > 1) this.#retreat();
+    scheduleCompute(this.#compute);
+  }
+
+  #retreat(): void {
+    this.#history.discard();
+    const good = this.#good ?? forLab(this.lab.preset(this.lab.firstPreset), this.lab, this.labs);
+    if (this.#history.present.scenario !== good)
+      this.#history.edit({ scenario: good, what: "Back to a scene the engine can compute" });
+    this.#show();
+    this.refuse("The engine stopped at that scene twice, so the last good one is shown.");
+    this.#announce("Back to the last good scene");
+  }
+
+  /** Says what changed, once the run is there that it led to. */
+  #tell(): void {
     if (this.#pendingFit) this.opened += 1;
     this.#pendingFit = false;
     if (this.#pendingWhat === null) return;
     this.announcement = `${this.#pendingWhat}.`;
     this.#pendingWhat = null;
-  };
+  }
 }
 
 function lowerFirst(text: string): string {

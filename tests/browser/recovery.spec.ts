@@ -1,0 +1,65 @@
+import { expect, type Page, test } from "@playwright/test";
+import { Lab } from "./lab";
+
+/** Keeps hold of the engine's memory, to break it from outside as a bug in it would from inside. */
+async function holdMemory(page: Page): Promise<void> {
+  await page.addInitScript(() => {
+    const memories: WebAssembly.Memory[] = [];
+    const hold = (result: WebAssembly.Instance | WebAssembly.WebAssemblyInstantiatedSource) => {
+      const { memory } = ("instance" in result ? result.instance : result).exports;
+      if (memory instanceof WebAssembly.Memory) memories.push(memory);
+      return result;
+    };
+    const instantiate = WebAssembly.instantiate as (...sources: unknown[]) => Promise<WebAssembly.Instance>;
+    const wrapped = (...sources: unknown[]) => instantiate(...sources).then(hold);
+    Object.assign(WebAssembly, { instantiate: wrapped });
+    Object.assign(window, {
+      breakEngine: () => {
+        for (const memory of memories) new Uint8Array(memory.buffer).fill(255);
+        return memories.length;
+      },
+    });
+  });
+}
+
+const breakEngine = (page: Page) =>
+  page.evaluate(() => (window as unknown as { breakEngine(): number }).breakEngine());
+
+test("an engine that breaks is started again: the edit stays, the numbers are right, a report is offered", async ({
+  page,
+  context,
+}) => {
+  const other = await Lab.open(await context.newPage());
+  await other.type("Seed", "31");
+  await expect(other.status).toContainText("Seed set to 31");
+  const expected = await other.readout();
+  await other.page.evaluate(() => localStorage.clear());
+
+  await holdMemory(page);
+  const lab = await Lab.open(page);
+  expect(await lab.readout()).not.toBe(expected);
+  expect(await breakEngine(page)).toBeGreaterThan(0);
+  await lab.type("Seed", "31");
+  await expect(lab.alert).toContainText("Something unforeseen happened: The engine stopped");
+  await expect.poll(() => lab.readout()).toBe(expected);
+  await expect(page.getByRole("button", { name: "Undo" })).toHaveAttribute("title", /Seed set to 31/);
+  await page.getByRole("button", { name: "Copy report" }).click();
+  await expect(page.getByRole("button", { name: "Copied" })).toBeVisible();
+  const report = await page.evaluate(() => navigator.clipboard.readText());
+  for (const part of [/^rangelab \d/, /#v1\./, /RuntimeError/]) expect(report).toMatch(part);
+
+  await page.getByRole("button", { name: "Dismiss" }).click();
+  await lab.drag(2, 40, -20);
+  await expect(lab.status).toContainText("Anchor 2 moved");
+  await expect(lab.alert).toBeEmpty();
+});
+
+test("a page whose engine does not arrive says so in a sentence", async ({ page }) => {
+  await page.route("**/rangelab_wasm_bg*.wasm", (route) => route.abort());
+  await page.goto("./?renderer=canvas2d&theme=light");
+  await expect(page.getByRole("alert")).toContainText("The page could not start");
+  await expect(page.getByRole("button", { name: "Try again" })).toBeVisible();
+  await page.unroute("**/rangelab_wasm_bg*.wasm");
+  await page.getByRole("button", { name: "Try again" }).click();
+  await expect(page.locator(".status")).toContainText("Ready");
+});

@@ -1,0 +1,140 @@
+import { beforeEach, expect, test, vi } from "vitest";
+import type { Lab } from "../lab";
+import type { Scenario } from "../scenario";
+import { Session } from "./session.svelte";
+
+/** An engine that takes seeds below 100, and breaks over those in `deadly` until it is restarted. */
+const fake = vi.hoisted(() => ({ deadly: new Set<number>(), broken: false, restarts: 0, once: false }));
+
+vi.mock("../engine", () => {
+  class EngineTrap extends Error {}
+  return {
+    EngineTrap,
+    validate: ({ seed }: Scenario) => (seed < 100 ? [] : [{ message: `seed is ${seed}` }]),
+    complete: (document: Scenario) => document,
+    restartEngine: () => {
+      [fake.broken, fake.restarts] = [false, fake.restarts + 1];
+      return Promise.resolve();
+    },
+    track: ({ seed }: Scenario) => {
+      fake.broken ||= fake.deadly.has(seed);
+      if (fake.once) fake.deadly.delete(seed);
+      if (fake.broken) throw new EngineTrap("trapped");
+      return { steps: 1, seed };
+    },
+  };
+});
+
+const frames: FrameRequestCallback[] = [];
+const reported: unknown[] = [];
+
+vi.stubGlobal("requestAnimationFrame", (callback: FrameRequestCallback) => frames.push(callback));
+vi.stubGlobal("reportError", (error: unknown) => reported.push(error));
+vi.stubGlobal("history", { replaceState: () => undefined });
+
+const scenario = (seed: number) =>
+  ({ name: "a", seed, anchors: [], sensors: [], view: null }) as unknown as Scenario;
+
+async function labs(): Promise<Lab[]> {
+  const { track } = await import("../engine");
+  return [
+    {
+      name: "one",
+      title: "One",
+      firstPreset: "first",
+      presets: () => [{ name: "first", title: "First", summary: "" }],
+      preset: () => scenario(0),
+      compute: track,
+      describe: () => "It ran.",
+    } as unknown as Lab,
+  ];
+}
+
+async function settle(): Promise<void> {
+  for (let i = 0; i < 8; i++) {
+    for (const callback of frames.splice(0)) callback(0);
+    await Promise.resolve();
+    await Promise.resolve();
+  }
+}
+
+async function open(seed = 1): Promise<Session> {
+  const session = new Session(scenario(seed), await labs());
+  await settle();
+  return session;
+}
+
+const seedOf = (session: Session) => (session.run as unknown as { seed: number } | null)?.seed;
+
+beforeEach(async () => {
+  // The loop of frames outlives a test: nothing may be left in it.
+  await settle();
+  reported.length = 0;
+  fake.deadly.clear();
+  [fake.broken, fake.restarts, fake.once] = [false, 0, false];
+});
+
+test("an edit is computed, named and undone", async () => {
+  const session = await open();
+  session.edit("Seed set to 2", scenario(2));
+  await settle();
+  expect([seedOf(session), session.undoes]).toEqual([2, "Seed set to 2"]);
+  expect(session.announcement).toBe("Seed set to 2. It ran.");
+  session.undo();
+  await settle();
+  expect([seedOf(session), session.undoes, session.redoes]).toEqual([1, null, "Seed set to 2"]);
+});
+
+test("a refused edit leaves everything and says why", async () => {
+  const session = await open();
+  expect(session.edit("Seed set to 100", scenario(100))).toBe(false);
+  await settle();
+  expect([seedOf(session), session.undoes]).toEqual([1, null]);
+  expect(session.refusal).toContain("seed is 100");
+});
+
+test("a file that comes during a drag waits for its end", async () => {
+  const session = await open();
+  const file = new File([JSON.stringify(scenario(50))], "fifty.json");
+  session.preview("Dragged", scenario(3));
+  await session.openFile(file);
+  session.preview("Dragged", scenario(4));
+  expect(session.scenario.seed).toBe(4);
+  session.commit();
+  expect([session.scenario.seed, session.undoes]).toEqual([50, "Scenario opened from the file fifty.json"]);
+  session.undo();
+  expect([session.scenario.seed, session.undoes]).toEqual([4, "Dragged"]);
+});
+
+test("an engine that broke once is started again and computes the same scenario", async () => {
+  const session = await open();
+  fake.deadly.add(5);
+  fake.once = true;
+  session.edit("Seed set to 5", scenario(5));
+  await settle();
+  expect([seedOf(session), session.scenario.seed, fake.restarts]).toEqual([5, 5, 1]);
+  expect(reported).toHaveLength(1);
+  expect(session.undoes).toBe("Seed set to 5");
+});
+
+test("an engine that breaks over a scenario again goes back to the last good one", async () => {
+  const session = await open();
+  session.edit("Seed set to 2", scenario(2));
+  await settle();
+  fake.deadly.add(5);
+  session.edit("Seed set to 5", scenario(5));
+  await settle();
+  expect([seedOf(session), session.scenario.seed, session.undoes]).toEqual([2, 2, "Seed set to 2"]);
+  expect(session.refusal).toContain("last good one");
+  expect(session.failure).toBeNull();
+});
+
+test("a first scene that breaks the engine gives way to the preset, and a hopeless engine is told", async () => {
+  fake.deadly.add(5);
+  const session = await open(5);
+  expect([seedOf(session), session.scenario.seed]).toEqual([0, 0]);
+  fake.deadly.add(0);
+  const hopeless = await open(5);
+  expect(hopeless.failure).toContain("Reload the page");
+  expect(fake.restarts).toBeLessThan(10);
+});
