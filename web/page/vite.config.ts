@@ -12,5 +12,5 @@ export default defineConfig({
   },
   // Workers share chunks with the page: they are modules too.
   worker: { format: "es" },
-  test: { include: ["src/**/*.test.ts"], environment: "node" },
+  test: { include: ["src/**/*.test.ts"], environment: "node", css: true },
 });

@@ -9,7 +9,7 @@ import { MARKS } from "../../theme/palette";
 const SHOWN_BOUNDS = ["posterior_crb", "posterior_crb_raw", "linear_posterior_crb"];
 export const NO_EVENTS: readonly number[] = [];
 /** Bounds share a colour and are told apart by their dashes; the engine's labels are long, these fit a table. */
-const BOUND_LOOKS: Record<string, { short: string; dash: readonly number[] }> = {
+export const BOUND_LOOKS: Record<string, { short: string; dash: readonly number[] }> = {
   posterior_crb: { short: "posterior CRB", dash: [7, 4] },
   posterior_crb_raw: { short: "posterior CRB, raw", dash: [10, 3, 2, 3] },
   linear_posterior_crb: { short: "linear posterior CRB", dash: [2, 4] },
