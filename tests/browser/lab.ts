@@ -108,8 +108,23 @@ export class Lab {
   /** Opens every folded group of the controls. */
   async openGroups(): Promise<void> {
     await this.openSheet();
-    const folded = this.page.locator("aside details:not([open]) > summary");
+    const folded = this.page.locator("aside h2 > button[aria-expanded=false]");
     while ((await folded.count()) > 0) await folded.first().click();
+  }
+
+  /** A group of the controls, opened. */
+  async openGroup(title: string): Promise<Locator> {
+    await this.openSheet();
+    const group = this.page.getByRole("region", { name: title, exact: true });
+    const heading = group.locator("h2 > button");
+    if ((await heading.getAttribute("aria-expanded")) === "false") await heading.click();
+    return group;
+  }
+
+  /** Makes one of a few choices that stand side by side. */
+  async pick(label: string, option: string): Promise<void> {
+    const choices = this.page.getByRole("radiogroup", { name: label, exact: true });
+    await choices.getByRole("radio", { name: option, exact: true }).check();
   }
 
   /** Waits until what is drawn has caught up with the state. */

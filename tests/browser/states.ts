@@ -28,6 +28,9 @@ export const STATES: readonly State[] = [
   })),
   { name: "anchor chosen", prepare: (lab) => lab.choose(2) },
   { name: "groups open", prepare: (lab) => lab.openGroups() },
+  { name: "warned choices", prepare: chooseDangerously },
+  { name: "drawn path", prepare: drawPath },
+  { name: "NEES shown", prepare: showNees },
   { name: "refusal", prepare: refuse },
   { name: "help", prepare: (lab) => openDialog(lab, "Help") },
   { name: "data table", prepare: (lab) => lab.plotMenu("Orientation error", "Data table") },
@@ -45,6 +48,24 @@ async function refuse(lab: Lab): Promise<void> {
   await lab.openSheet();
   await lab.type("Noise level σ", "-1");
   await expect(lab.alert).not.toBeEmpty();
+}
+
+async function chooseDangerously(lab: Lab): Promise<void> {
+  await lab.openGroup("Weights of ranges");
+  await lab.pick("Weights", "true");
+  await lab.openGroup("Estimator settings");
+  await lab.pick("Projected Q", "fed back");
+  await lab.pick("Manifold", "O(D)");
+}
+
+async function drawPath(lab: Lab): Promise<void> {
+  const group = await lab.openGroup("Motion of the body");
+  await group.getByLabel("Path", { exact: true }).selectOption({ label: "drawn by hand" });
+  await group.getByRole("img").scrollIntoViewIfNeeded();
+}
+
+async function showNees(lab: Lab): Promise<void> {
+  await lab.page.getByRole("button", { name: "NEES column" }).click();
 }
 
 async function openDialog(lab: Lab, button: string): Promise<void> {

@@ -1,8 +1,10 @@
 import { describe, expect, test } from "vitest";
+import type { Run } from "../../run";
 import type { Scenario } from "../../scenario";
 import {
   onDecoupling,
   onFeedback,
+  onLinearBound,
   onManifold,
   onPrior,
   onProcessNoise,
@@ -106,5 +108,29 @@ describe("the prior", () => {
   test("is warned of where it is wide, and where the truth is far outside", () => {
     expect(believing(100).text).toContain("linearize");
     expect(believing(0.01).text).toContain("starts 5.00 m away");
+  });
+});
+
+describe("the linear bound", () => {
+  const bounds = (linear: number, intrinsic: number) =>
+    ({
+      bounds: [
+        { name: "linear_posterior_crb", orientation: Float64Array.of(9, linear) },
+        { name: "posterior_crb", orientation: Float64Array.of(9, intrinsic) },
+      ],
+    }) as unknown as Run;
+
+  test("is told to lie below or above the intrinsic one, with both at the step", () => {
+    expect(onLinearBound(bounds(0.01, 0.02), 1)?.text).toMatch(
+      /0\.573°, lies below the intrinsic one, 1\.15°/,
+    );
+    expect(onLinearBound(bounds(0.02, 0.01), 1)?.text).toMatch(
+      /1\.15°, lies above the intrinsic one, 0\.573°/,
+    );
+  });
+
+  test("is not compared where one of them does not exist", () => {
+    expect(onLinearBound(bounds(0.01, NaN), 1)).toBeNull();
+    expect(onLinearBound({ ...bounds(1, 1), bounds: [] }, 1)).toBeNull();
   });
 });

@@ -1,4 +1,5 @@
 import { DEGREES_PER_RADIAN, formatReading } from "../../controls/format";
+import type { Run } from "../../run";
 import type { Scenario } from "../../scenario";
 
 /** What a choice costs or means, in a sentence, with the numbers of the scenario. */
@@ -91,6 +92,24 @@ export function onProcessNoise({ process, motion, interval }: Scenario): Sentenc
     mismatch("Position", process.sigma_t, motion.sigma_t),
   ].filter((part) => part !== null);
   return parts.length === 0 ? told("About what really disturbs the body.") : warned(parts.join(" "));
+}
+
+/**
+ * Why the bound on any matrix Q can lie below that on rotations, which should be the lower one: noise on the entries of Q
+ * turns the body less than noise on its angles.
+ */
+export function onLinearBound({ bounds }: Run, step: number): Sentence | null {
+  const at = (name: string) => bounds.find((bound) => bound.name === name)?.orientation[step] ?? NaN;
+  const [linear, intrinsic] = [at("linear_posterior_crb"), at("posterior_crb")];
+  if (!Number.isFinite(linear) || !Number.isFinite(intrinsic)) return null;
+  const sizes = [linear, intrinsic].map((angle) => formatReading(angle * DEGREES_PER_RADIAN));
+  return linear < intrinsic
+    ? told(
+        `The linear bound, ${sizes[0]}°, lies below the intrinsic one, ${sizes[1]}°: in the linear model (12) σ_q turns the body by only σ_q/√2 about each axis.`,
+      )
+    : told(
+        `The linear bound, ${sizes[0]}°, lies above the intrinsic one, ${sizes[1]}°: it does not know that Q is a rotation.`,
+      );
 }
 
 /** What really disturbs the body, as process noise. */
