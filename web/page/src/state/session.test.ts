@@ -79,7 +79,7 @@ test("an edit is computed, named and undone", async () => {
   session.edit("Seed set to 2", scenario(2));
   await settle();
   expect([seedOf(session), session.undoes]).toEqual([2, "Seed set to 2"]);
-  expect(session.announcement).toBe("Seed set to 2. It ran.");
+  expect(session.announcement).toBe("Seed set to 2.");
   session.undo();
   await settle();
   expect([seedOf(session), session.undoes, session.redoes]).toEqual([1, null, "Seed set to 2"]);
