@@ -7,11 +7,13 @@ pub(super) mod check;
 pub mod entries;
 
 use alloc::string::{String, ToString};
+use alloc::vec::Vec;
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Problem, Result};
+use check::accept;
 
 /// The version of the documents that this crate writes, and the only one it reads.
 pub const VERSION: u32 = 1;
@@ -55,6 +57,33 @@ pub(crate) fn parse<T: DeserializeOwned>(document: &'static str, text: &str) -> 
         return Err(Error::Version { document, found: version, newest: VERSION });
     }
     parse_part(document, text)
+}
+
+/// A document that people write: it may leave out defaults, and it may be wrong.
+pub(crate) trait Written: DeserializeOwned {
+    /// What kind of document.
+    const KIND: &'static str;
+
+    /// 2 or 3, if it is right.
+    fn dimension(&self) -> usize;
+
+    /// Gives the defaults that depend on the dimension their size.
+    fn fill(&mut self, dimension: usize);
+
+    /// Everything wrong with it.
+    fn problems(&self) -> Vec<Problem>;
+}
+
+/// Reads a document, fills in what was left out, and refuses it with everything that is wrong.
+pub(crate) fn read<T: Written>(text: &str) -> Result<T> {
+    let mut document: T = parse(T::KIND, text)?;
+    let dimension = document.dimension();
+    // Any other dimension is among the problems; it must not decide how much memory is taken.
+    if (2..=3).contains(&dimension) {
+        document.fill(dimension);
+    }
+    accept(T::KIND, document.problems())?;
+    Ok(document)
 }
 
 /// Reads a part of a document, which has no version of its own.

@@ -8,9 +8,8 @@ use alloc::vec::Vec;
 
 use serde::{Deserialize, Serialize};
 
-use super::document::check::accept;
 use super::document::entries::PoseEntries;
-use super::document::{parse, write};
+use super::document::{Written, read, write};
 use super::motion::ProcessNoise;
 use super::noise::RangeNoise;
 use super::ranging::Weighting;
@@ -99,10 +98,7 @@ impl RecordingDocument {
     /// [`crate::Error::Syntax`] with line and column, [`crate::Error::Version`] for a newer format,
     /// [`crate::Error::Invalid`] with every problem.
     pub fn from_json(text: &str) -> Result<Self> {
-        let mut recording: Self = parse("recording", text)?;
-        recording.fill();
-        accept("recording", recording.validate())?;
-        Ok(recording)
+        read(text)
     }
 
     /// The recording as JSON; every number comes back as the same bits.
@@ -114,18 +110,24 @@ impl RecordingDocument {
     pub fn validate(&self) -> Vec<Problem> {
         validate::problems(self)
     }
+}
 
-    /// Gives the defaults that depend on the dimension their size.
-    fn fill(&mut self) {
-        let dimension = self.dimension;
-        // Any other dimension is refused right after; it must not decide how much memory is taken.
-        if !(2..=3).contains(&dimension) {
-            return;
-        }
+impl Written for RecordingDocument {
+    const KIND: &'static str = "recording";
+
+    fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    fn fill(&mut self, dimension: usize) {
         self.initial.fill(dimension);
         for epoch in &mut self.epochs {
             zeros_if_empty(&mut epoch.velocity, dimension);
             zeros_if_empty(&mut epoch.angular_velocity, rotation_angles(dimension));
         }
+    }
+
+    fn problems(&self) -> Vec<Problem> {
+        self.validate()
     }
 }

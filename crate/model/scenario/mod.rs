@@ -11,9 +11,8 @@ use serde::{Deserialize, Serialize};
 
 pub use setup::Setup;
 
-use super::document::check::accept;
 use super::document::entries::PoseEntries;
-use super::document::{parse, write};
+use super::document::{Written, read, write};
 use super::estimator_settings::EstimatorSettings;
 use super::motion::ProcessNoise;
 use super::noise::RangeNoise;
@@ -168,10 +167,7 @@ impl Scenario {
     /// [`crate::Error::Syntax`] with line and column, [`crate::Error::Version`] for a newer format,
     /// [`crate::Error::Invalid`] with every problem.
     pub fn from_json(text: &str) -> Result<Self> {
-        let mut scenario: Self = parse("scenario", text)?;
-        scenario.fill();
-        accept("scenario", scenario.validate())?;
-        Ok(scenario)
+        read(text)
     }
 
     /// The scenario as JSON; every number comes back as the same bits.
@@ -183,20 +179,26 @@ impl Scenario {
     pub fn validate(&self) -> Vec<Problem> {
         validate::problems(self)
     }
+}
 
-    /// Gives the defaults that depend on the dimension their size.
-    fn fill(&mut self) {
-        let dimension = self.dimension;
-        // Any other dimension is refused right after; it must not decide how much memory is taken.
-        if !(2..=3).contains(&dimension) {
-            return;
-        }
+impl Written for Scenario {
+    const KIND: &'static str = "scenario";
+
+    fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    fn fill(&mut self, dimension: usize) {
         if self.start == PoseEntries::default() {
             self.start = PoseEntries::identity(dimension);
         }
         zeros_if_empty(&mut self.motion.velocity, dimension);
         zeros_if_empty(&mut self.motion.angular_velocity, rotation_angles(dimension));
         self.initial.fill(dimension);
+    }
+
+    fn problems(&self) -> Vec<Problem> {
+        self.validate()
     }
 }
 
