@@ -35,6 +35,7 @@ export const STATES: readonly State[] = [
   { name: "help", prepare: (lab) => openDialog(lab, "Help") },
   { name: "data table", prepare: (lab) => lab.plotMenu("Orientation error", "Data table") },
   { name: "plot menu", prepare: (lab) => lab.plotMenu("Orientation error") },
+  { name: "Monte-Carlo", prepare: (lab) => averages(lab) },
   { name: "plot enlarged", prepare: (lab) => enlarge(lab) },
 ];
 
@@ -76,4 +77,12 @@ async function openDialog(lab: Lab, button: string): Promise<void> {
 async function enlarge(lab: Lab): Promise<void> {
   await lab.page.getByRole("button", { name: "Orientation error: enlarge" }).click();
   await expect(lab.page.locator(".plots figure")).toHaveCount(1);
+}
+
+/** The first averages, and no more: pictures of a state do not change by themselves. */
+async function averages(lab: Lab): Promise<void> {
+  await lab.page.getByRole("button", { name: "Monte-Carlo" }).click();
+  const trials = lab.page.getByTestId("trials");
+  await expect.poll(async () => Number(await trials.innerText()), { timeout: 60_000 }).toBeGreaterThan(0);
+  await lab.page.getByRole("button", { name: "Stop" }).click();
 }

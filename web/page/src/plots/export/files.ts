@@ -1,3 +1,4 @@
+import { saveFile } from "../../state/exports.svelte";
 import type { Palette } from "../../theme/palette";
 import type { PlotSpec, ScaleKind } from "../spec";
 import { describeOrigin, fileName, type Origin } from "./caption";
@@ -12,7 +13,7 @@ export type Format = (typeof FORMATS)[number];
 const SHARPNESS = 2;
 
 /** Saves a plot as a file; gives back its name. */
-export async function saveFile(
+export async function savePlot(
   format: Format,
   spec: PlotSpec,
   scale: ScaleKind,
@@ -25,7 +26,7 @@ export async function saveFile(
     svg: async () => new Blob([writeSvg(spec, scale, palette, origin)], { type: "image/svg+xml" }),
     png: async () => paint(writeSvg(spec, scale, palette, origin), origin),
   };
-  download(await content[format](), name);
+  saveFile(name, await content[format]());
   return name;
 }
 
@@ -51,14 +52,4 @@ async function paint(svg: string, origin: Origin): Promise<Blob> {
 
 function ascii(text: string): string {
   return text.replace(/[“”]/g, '"').replace(/[^ -~]/g, "?");
-}
-
-function download(content: Blob, name: string): void {
-  const address = URL.createObjectURL(content);
-  const anchor = document.createElement("a");
-  anchor.href = address;
-  anchor.download = name;
-  anchor.click();
-  // The browser reads the address after the click has been handled.
-  setTimeout(() => URL.revokeObjectURL(address), 10_000);
 }
