@@ -82,12 +82,15 @@ test("the pointer in one plot shows the same step in all of them, with its numbe
   const lab = await Lab.open(page);
   const step = await lab.step.innerText();
   const { x, y } = await centre(lab.plot("Orientation error").locator(".u-over"));
+  const scene = await lab.surface.screenshot();
   await page.mouse.move(x, y);
   await expect(page.locator(".plots .pointed")).toHaveCount(await page.locator(".plots figure").count());
   const card = lab.plot("Orientation error").locator(".card");
   const pointed = Number(/step (\d+)/.exec(await card.innerText())?.[1]);
   expect(Math.abs(pointed - Number(step) / 2)).toBeLessThan(3);
   await expect(lab.step).toHaveText(step);
+  // A ghost of the body stands there in the scene.
+  await expect.poll(async () => (await lab.surface.screenshot()).equals(scene)).toBe(false);
   const shown = await card.locator("tr").filter({ hasText: "UC-KF" }).locator("td").innerText();
   await page.mouse.down();
   await page.mouse.up();
@@ -126,6 +129,18 @@ test("a plot is enlarged to the whole width and goes back, by button and by Esca
   await page.keyboard.press("Escape");
   await expect(figures).toHaveCount(count);
   await expect(lab.plot("Defect")).toBeVisible();
+});
+
+test("a click on an estimator in the table of errors lets it stand out in the plots", async ({ page }) => {
+  const lab = await Lab.open(page);
+  const canvas = lab.plot("Orientation error").locator("canvas");
+  const before = await canvas.screenshot();
+  const name = page.locator('[data-estimator="uc-kf"]').getByRole("button", { name: "UC-KF" });
+  await name.click();
+  await expect(name).toHaveAttribute("aria-pressed", "true");
+  await expect.poll(async () => (await canvas.screenshot()).equals(before)).toBe(false);
+  await name.click();
+  await expect.poll(async () => (await canvas.screenshot()).equals(before)).toBe(true);
 });
 
 test("one chooses which plots are shown; where room is short, the latest choice has it", async ({ page }) => {

@@ -18,6 +18,8 @@ export interface SceneInput<R extends LabRun = LabRun> {
   readonly scenario: Scenario;
   readonly run: R | null;
   readonly step: number;
+  /** The step under the pointer in a plot, or null. */
+  readonly pointedStep: number | null;
   readonly frame: Frame;
   readonly view: View;
   readonly palette: Palette;

@@ -10,6 +10,7 @@ import { axesOf, axisLength, drawnPosition } from "./drawn";
 import { estimates, ranges, truth } from "./layers";
 import { eventSteps, plots } from "./plots";
 import { studyPlots } from "./study-plots";
+import { ghost } from "./ghost";
 import Readout from "./Readout.svelte";
 import { note, told } from "./told";
 import { ellipsoids, fans } from "./uncertainty";
@@ -25,7 +26,7 @@ export const lab: Lab<Run> = {
   preset,
   firstPreset: "room",
   compute: track,
-  layers: [ground, ranges, ellipsoids, truth, fans, estimates, anchors],
+  layers: [ground, ranges, ellipsoids, truth, fans, estimates, ghost, anchors],
   labels: (input) => [
     ...anchorLabels(input),
     ...(input.run ? axisLabels(input, input.run) : []),
