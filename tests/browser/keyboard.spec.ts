@@ -71,7 +71,7 @@ test("every control can be reached by Tab and shows its focus", async ({ page })
   await Lab.open(page);
   await page.locator("body").focus();
   const seen: string[] = [];
-  for (let i = 0; i < 120; i++) {
+  for (let i = 0; i < 200; i++) {
     await page.keyboard.press("Tab");
     const [name, outline] = await page.evaluate(() => {
       const element = document.activeElement as HTMLElement;
