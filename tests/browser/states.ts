@@ -37,6 +37,11 @@ export const STATES: readonly State[] = [
   { name: "plot menu", prepare: (lab) => lab.plotMenu("Orientation error") },
   { name: "Monte-Carlo", prepare: (lab) => averages(lab) },
   { name: "plot enlarged", prepare: (lab) => enlarge(lab) },
+  { name: "sheet open", prepare: (lab) => lab.openSheet() },
+  { name: "export menu", prepare: openExport },
+  { name: "parts put away", prepare: putAway },
+  { name: "scene restored", prepare: restore },
+  { name: "fault told", prepare: fault },
 ];
 
 /** The page in that state, theme and size. */
@@ -67,6 +72,31 @@ async function drawPath(lab: Lab): Promise<void> {
 
 async function showNees(lab: Lab): Promise<void> {
   await lab.page.getByRole("button", { name: "NEES column" }).click();
+}
+
+async function openExport(lab: Lab): Promise<void> {
+  await lab.page.getByRole("button", { name: "Export" }).click();
+  await expect(lab.page.getByRole("button", { name: "Scenario as a file" })).toBeVisible();
+}
+
+async function putAway(lab: Lab): Promise<void> {
+  for (const name of ["Show plots", "Show panel"]) {
+    const button = lab.page.getByRole("button", { name });
+    if (await button.isVisible()) await button.click();
+  }
+}
+
+async function restore(lab: Lab): Promise<void> {
+  await lab.openSheet();
+  await lab.type("Seed", "7");
+  await expect(lab.status).toContainText("Seed set to 7");
+  await lab.page.goto(new URL(lab.page.url()).search);
+  await expect(lab.page.getByText("Restored your last scene")).toBeVisible();
+}
+
+async function fault(lab: Lab): Promise<void> {
+  await lab.page.evaluate(() => reportError(new Error("A sentence that tells what went wrong here.")));
+  await expect(lab.page.getByRole("button", { name: "Copy report" })).toBeVisible();
 }
 
 async function openDialog(lab: Lab, button: string): Promise<void> {
