@@ -50,7 +50,7 @@ pub const PRESETS: [Preset; 15] = [
         name: "planar",
         title: "In the plane",
         summary: "A slender robot in a hall: two coordinates and one angle. Estimators that know that it \
-                  is one angle, not a matrix of four numbers, find it almost twice as well.",
+                  is one angle, not a matrix of four numbers, find it about twice as well.",
         build: indoor::planar,
     },
     Preset {
