@@ -116,6 +116,9 @@ impl fmt::Display for Error {
                  it was written by a newer one, which can open it"
             ),
             Self::Size { what, found, expected } => write!(f, "{found} {what} where {expected} are needed"),
+            Self::Number { what, value, limit } if value.is_nan() => {
+                write!(f, "{what} is not a number; it must be {limit}")
+            }
             Self::Number { what, value, limit } => write!(f, "{what} is {value}; it must be {limit}"),
             Self::Unobservable { what, ranges, reason } => {
                 write!(f, "{what}: {ranges} ranges are not enough to find the pose. {reason}")

@@ -86,7 +86,7 @@ pub fn fisher_information_of<'a, const D: usize>(
     information_of(model, pose, measured, &exact, form, buffer)
 }
 
-pub(super) fn information_of<'a, const D: usize>(
+fn information_of<'a, const D: usize>(
     model: &'a RangeModel<D>,
     pose: &Pose<D>,
     measured: &Ranges,

@@ -31,8 +31,7 @@ fn difference<const D: usize>(r: &SMatrix<f64, D, D>, q: &SMatrix<f64, D, D>) ->
 }
 
 fn cost<const D: usize>(r: &SMatrix<f64, D, D>, q: &SMatrix<f64, D, D>, metric: &BlockMatrix<D>) -> f64 {
-    let difference = difference(r, q);
-    difference.dot(&metric.times(&difference))
+    metric.quadratic_form(&difference(r, q))
 }
 
 /// Half the slope of the cost along each tangent, and what it is measured against: the terms that cancel in it.

@@ -28,16 +28,18 @@ export function gridOf(view: View, frame: Frame, points: Iterable<Vec3>): Grid {
   const metresPerPixel = Math.max(view.metresPerPixel(camera.target), view.metresPerPixel(foot));
   const spacing = niceBelow(CELL_PIXELS * metresPerPixel);
   const reach = (VIEWS / 2) * metresPerPixel * Math.max(viewport.width, viewport.height);
-  const along = (axis: 0 | 1) =>
+  const along = (axis: 0 | 1 | 2, first: number) =>
     multiples(
       spacing,
-      Math.max(Math.floor(low[axis] / spacing), Math.floor((camera.target[axis] - reach) / spacing)),
+      Math.max(first, Math.floor((camera.target[axis] - reach) / spacing)),
       Math.min(Math.ceil(high[axis] / spacing), Math.ceil((camera.target[axis] + reach) / spacing)),
     );
-  const zs = frame.flat
-    ? []
-    : multiples(spacing, Math.ceil(frame.ground / spacing), Math.ceil(high[2] / spacing));
-  return { spacing, xs: along(0), ys: along(1), zs };
+  return {
+    spacing,
+    xs: along(0, Math.floor(low[0] / spacing)),
+    ys: along(1, Math.floor(low[1] / spacing)),
+    zs: frame.flat ? [] : along(2, Math.ceil(frame.ground / spacing)),
+  };
 }
 
 function boxOf(frame: Frame, points: Iterable<Vec3>): { low: Vec3; high: Vec3 } {
