@@ -2,14 +2,15 @@
 
 use alloc::vec::Vec;
 
-use super::constrained::{crb, unitary_crb};
-use super::fisher::{FisherInformation, fisher_information_of};
+use super::constrained::{crb, unitary_crb_on};
+use super::fisher::{FisherInformation, information_of};
 use super::kinds::{Bound, BoundKind};
 use super::posterior::PosteriorBound;
 use crate::error::{Error, Result};
 use crate::math::block::BlockMatrix;
 use crate::math::pose::{Pose, Theta};
 use crate::math::rotation::Rotation;
+use crate::math::tangent::TangentMatrix;
 use crate::model::accumulate::RangeBuffer;
 use crate::model::covariance::Covariance;
 use crate::model::epoch::{Epoch, Recording};
@@ -41,6 +42,19 @@ impl<const D: usize> StepBounds<D> {
 /// # Errors
 /// [`Error::Number`] for noise that is not positive.
 pub fn bounds_along<const D: usize>(recording: &Recording<D>) -> Result<Vec<StepBounds<D>>> {
+    let mut bounds = Vec::with_capacity(recording.epochs.len());
+    visit_bounds(recording, |step| bounds.push(step))?;
+    Ok(bounds)
+}
+
+/// [`bounds_along`] for someone who looks at one epoch after the other and keeps none.
+///
+/// # Errors
+/// [`Error::Number`] for noise that is not positive.
+pub fn visit_bounds<const D: usize>(
+    recording: &Recording<D>,
+    mut visit: impl FnMut(StepBounds<D>),
+) -> Result<()> {
     let (model, variance) = (&recording.model, recording.initial.variance);
     let model = RangeModel::new(
         model.anchors().clone(),
@@ -50,20 +64,26 @@ pub fn bounds_along<const D: usize>(recording: &Recording<D>) -> Result<Vec<Step
     )?;
     let mut buffer = model.range_buffer();
     let mut recursion = Recursion::new(variance);
-    let steps = recording.epochs.iter().enumerate().map(|(k, epoch)| {
+    for (k, epoch) in recording.epochs.iter().enumerate() {
         let truth = recording.truth.get(k).copied().flatten();
         let seen = Seen::new(&model, epoch, truth, &mut buffer);
         recursion.step(epoch, &recording.process, &seen);
-        bounds_of(&seen, &recursion)
-    });
-    Ok(steps.collect())
+        visit(bounds_of(&seen, &recursion));
+    }
+    Ok(())
+}
+
+/// The information of one epoch's ranges, on `[Q | t]` and on the tangent space.
+struct AtTruth<'a, const D: usize> {
+    information: FisherInformation<'a, D>,
+    on_tangent_space: TangentMatrix<D>,
 }
 
 /// What the ranges of one epoch say.
 struct Seen<'a, const D: usize> {
     rotation: Option<Rotation<D>>,
-    projected: Option<Result<FisherInformation<'a, D>>>,
-    raw: Option<Result<FisherInformation<'a, D>>>,
+    projected: Option<Result<AtTruth<'a, D>>>,
+    raw: Option<Result<AtTruth<'a, D>>>,
     /// The projected information about all of `[Q | t]`, from the truth or else from the weights of the epoch.
     linear: Result<BlockMatrix<D>>,
 }
@@ -75,11 +95,18 @@ impl<'a, const D: usize> Seen<'a, D> {
         truth: Option<Pose<D>>,
         buffer: &mut RangeBuffer<D>,
     ) -> Self {
-        let mut at_truth =
-            |form| truth.map(|pose| fisher_information_of(model, &pose, &epoch.ranges, form, buffer));
+        let exact = truth.map(|pose| (pose, model.exact_ranges(&Theta::from(pose))));
+        let mut at_truth = |form| {
+            let (pose, exact) = exact.as_ref()?;
+            let ranges = exact.as_ref().map_err(Error::clone);
+            Some(ranges.and_then(|exact| {
+                let information = information_of(model, pose, &epoch.ranges, exact, form, buffer)?;
+                Ok(AtTruth { on_tangent_space: information.on_tangent_space(), information })
+            }))
+        };
         let (projected, raw) = (at_truth(RangeForm::Projected), at_truth(RangeForm::Raw));
         let linear = match &projected {
-            Some(information) => information.clone().map(|information| information.matrix),
+            Some(seen) => seen.as_ref().map(|seen| seen.information.matrix).map_err(Error::clone),
             // The projected information does not depend on the reference.
             None => model
                 .normal_equations(
@@ -126,9 +153,9 @@ impl<const D: usize> Recursion<D> {
             let Some(bound) = bound else { continue };
             advance(bound, |bound| {
                 bound.predict(noise);
-                information
-                    .as_ref()
-                    .map_or(Ok(()), |information| bound.update(information.as_ref().map_err(Error::clone)?))
+                information.as_ref().map_or(Ok(()), |seen| {
+                    bound.update_on(&seen.as_ref().map_err(Error::clone)?.on_tangent_space)
+                })
             });
         }
     }
@@ -143,16 +170,17 @@ fn advance<T>(state: &mut Result<T>, step: impl FnOnce(&mut T) -> Result<()>) {
 
 fn bounds_of<const D: usize>(seen: &Seen<D>, recursion: &Recursion<D>) -> StepBounds<D> {
     let rotation = seen.rotation.as_ref();
-    let unitary = |information: &Result<FisherInformation<D>>| {
-        information.as_ref().map_err(Error::clone).and_then(unitary_crb).map(Bound::tangent)
+    let unitary = |seen: &Result<AtTruth<D>>| {
+        let AtTruth { information, on_tangent_space } = seen.as_ref().map_err(Error::clone)?;
+        unitary_crb_on(information, on_tangent_space).map(Bound::tangent)
     };
     let posterior = |bound: &Result<PosteriorBound<D>>| {
         bound.as_ref().map(|bound| Bound::tangent(*bound.covariance())).map_err(Error::clone)
     };
     StepBounds(BoundKind::ALL.map(|kind| {
         match kind {
-            BoundKind::Crb => seen.projected.as_ref().map(|information| {
-                let matrix = crb(information.as_ref().map_err(Error::clone)?)?;
+            BoundKind::Crb => seen.projected.as_ref().map(|seen| {
+                let matrix = crb(&seen.as_ref().map_err(Error::clone)?.information)?;
                 Ok(Bound::linear(matrix, rotation))
             }),
             BoundKind::UnitaryCrb => seen.projected.as_ref().map(unitary),

@@ -33,7 +33,14 @@ pub fn crb<const D: usize>(information: &FisherInformation<D>) -> Result<BlockMa
 /// # Errors
 /// [`crate::Error::Unobservable`] with the cause.
 pub fn unitary_crb<const D: usize>(information: &FisherInformation<D>) -> Result<TangentMatrix<D>> {
-    let j = information.on_tangent_space();
+    unitary_crb_on(information, &information.on_tangent_space())
+}
+
+/// [`unitary_crb`] where the information `j` on the tangent space is known already.
+pub(super) fn unitary_crb_on<const D: usize>(
+    information: &FisherInformation<D>,
+    j: &TangentMatrix<D>,
+) -> Result<TangentMatrix<D>> {
     j.inverse()
         .ok()
         .filter(|c| (0..tangent_dimension(D)).all(|i| carries_digits(j.entry(i, i) * c.entry(i, i))))

@@ -86,7 +86,7 @@ pub fn fisher_information_of<'a, const D: usize>(
     information_of(model, pose, measured, &exact, form, buffer)
 }
 
-fn information_of<'a, const D: usize>(
+pub(super) fn information_of<'a, const D: usize>(
     model: &'a RangeModel<D>,
     pose: &Pose<D>,
     measured: &Ranges,

@@ -15,7 +15,7 @@ pub mod kinds;
 pub mod observability;
 pub mod posterior;
 
-pub use along::{StepBounds, bounds_along};
+pub use along::{StepBounds, bounds_along, visit_bounds};
 pub use constrained::{crb, unitary_crb};
 pub use fisher::{FisherInformation, fisher_information, fisher_information_of};
 pub use kinds::{Bound, BoundKind, BoundMatrix};

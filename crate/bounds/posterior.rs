@@ -38,8 +38,13 @@ impl<const D: usize> PosteriorBound<D> {
     /// # Errors
     /// [`Error::NotPositiveDefinite`] where double precision does not carry the sum; the bound stays as it was.
     pub fn update(&mut self, information: &FisherInformation<D>) -> Result<()> {
+        self.update_on(&information.on_tangent_space())
+    }
+
+    /// [`PosteriorBound::update`] where the information on the tangent space is known already.
+    pub(super) fn update_on(&mut self, information: &TangentMatrix<D>) -> Result<()> {
         let posterior = self.covariance.inverse().and_then(|mut precision| {
-            precision.add(&information.on_tangent_space());
+            precision.add(information);
             precision.inverse()
         });
         self.covariance =

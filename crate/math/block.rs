@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::linalg::PIVOT_FLOOR;
+use super::linalg::checked_inverse;
 use super::pose::Theta;
 
 /// Columns of `[Q | t]` for D = 3.
@@ -116,16 +116,33 @@ impl<const D: usize> BlockMatrix<D> {
         Ok(())
     }
 
+    /// `x^T A^-1 x` for `x = vec(theta)` and a positive definite `A`, by elimination: no inverse is formed.
+    ///
+    /// # Errors
+    /// The offending pivot.
+    pub fn inverse_quadratic_form(&self, theta: &Theta<D>) -> Result<f64, f64> {
+        let (mut rows, mut x, mut sum) = (self.rows, [0.0; MAX_ENTRIES], 0.0);
+        x.iter_mut().zip(theta.orientation.iter().chain(theta.position.iter())).for_each(|(x, y)| *x = *y);
+        for k in 0..Self::ENTRIES {
+            let inverse = checked_inverse(rows[k][k], self.rows[k][k])?;
+            sum += x[k] * x[k] * inverse;
+            let pivot_row = rows[k];
+            for i in k + 1..Self::ENTRIES {
+                let factor = pivot_row[i] * inverse;
+                x[i] -= factor * x[k];
+                for (entry, pivot) in rows[i].iter_mut().zip(&pivot_row) {
+                    *entry -= factor * pivot;
+                }
+            }
+        }
+        Ok(sum)
+    }
+
     /// Sweeps the lower triangle on the first `pivots` entries; what is above the diagonal is then meaningless.
     fn sweep(&mut self, pivots: usize) -> Result<(), f64> {
         let original: [f64; MAX_ENTRIES] = core::array::from_fn(|k| self.rows[k][k]);
         for k in 0..pivots {
-            let pivot = self.rows[k][k];
-            let inverse = 1.0 / pivot;
-            // Written so that NaN fails too, and a pivot whose inverse overflows.
-            if !(pivot > PIVOT_FLOOR * original[k] && pivot.is_finite() && inverse.is_finite()) {
-                return Err(pivot);
-            }
+            let inverse = checked_inverse(self.rows[k][k], original[k])?;
             self.sweep_pivot(k, inverse);
         }
         Ok(())
@@ -178,12 +195,6 @@ impl<const D: usize> BlockMatrix<D> {
             }
         }
         sums
-    }
-
-    /// `x^T A x` for `x = vec(theta)`.
-    #[inline]
-    pub fn quadratic_form(&self, theta: &Theta<D>) -> f64 {
-        theta.dot(&self.times(theta))
     }
 
     /// Trace over the blocks of `Q`.

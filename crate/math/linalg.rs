@@ -3,7 +3,19 @@
 use nalgebra::{SMatrix, SVector};
 
 /// A pivot smaller than this part of its diagonal entry carries no correct digit.
-pub(crate) const PIVOT_FLOOR: f64 = 1e-14;
+const PIVOT_FLOOR: f64 = 1e-14;
+
+/// The inverse of a pivot that carries digits, held against its diagonal entry before elimination; else the pivot.
+#[inline]
+pub(crate) fn checked_inverse(pivot: f64, original: f64) -> Result<f64, f64> {
+    let inverse = 1.0 / pivot;
+    // Written so that NaN fails too, and a pivot whose inverse overflows.
+    if pivot > PIVOT_FLOOR * original && pivot.is_finite() && inverse.is_finite() {
+        Ok(inverse)
+    } else {
+        Err(pivot)
+    }
+}
 
 /// Inverse of a symmetric positive definite matrix by the sweep operator.
 ///
@@ -32,12 +44,7 @@ pub(crate) fn spd_inverse_within<const D: usize>(
 ) -> Result<SMatrix<f64, D, D>, f64> {
     let mut a = *block;
     for k in 0..D {
-        let pivot = a[(k, k)];
-        let inverse = 1.0 / pivot;
-        // Written so that NaN fails too, and a pivot whose inverse overflows.
-        if !(pivot > PIVOT_FLOOR * original[(k, k)] && pivot.is_finite() && inverse.is_finite()) {
-            return Err(pivot);
-        }
+        let inverse = checked_inverse(a[(k, k)], original[(k, k)])?;
         sweep(&mut a, k, inverse);
     }
     for j in 0..D {
@@ -76,12 +83,6 @@ fn sweep<const D: usize>(a: &mut SMatrix<f64, D, D>, k: usize, inverse: f64) {
             a[(i, k)] = entry;
         }
     }
-}
-
-/// `x^T A x`.
-#[inline]
-pub fn quadratic_form<const D: usize>(a: &SMatrix<f64, D, D>, x: &SVector<f64, D>) -> f64 {
-    x.dot(&(a * x))
 }
 
 /// Adds the weighted outer product `weight x y^T` to `a`.

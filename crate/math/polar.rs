@@ -17,7 +17,7 @@ const MAX_ITERATIONS: usize = 20;
 /// The polar factor of a well-conditioned matrix with positive determinant, by `X <- (X + X^-T)/2` (Higham); `None` for
 /// other matrices.
 pub(super) fn polar_factor<const D: usize>(matrix: &SMatrix<f64, D, D>) -> Option<SMatrix<f64, D, D>> {
-    let length = matrix.norm();
+    let length = sqrt(matrix.norm_squared());
     let mut x = matrix * (sqrt(D as f64) / length);
     // At most 1 but for rounding; NaN and infinity, from lengths that under- or overflow, are refused too.
     if !(WELL_CONDITIONED..1.5).contains(&determinant(&x)) {

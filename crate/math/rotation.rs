@@ -224,7 +224,7 @@ pub fn vee<const D: usize>(k: &SMatrix<f64, D, D>) -> Angles {
 
 /// Defect from orthogonality, `||Q^T Q - I||_F`: the statistic of the event trigger (\[T\] Sec. IV-C).
 pub fn defect<const D: usize>(q: &SMatrix<f64, D, D>) -> f64 {
-    (q.transpose() * q - SMatrix::<f64, D, D>::identity()).norm()
+    float::sqrt((q.transpose() * q - SMatrix::<f64, D, D>::identity()).norm_squared())
 }
 
 /// Determinant of a 2 x 2 or 3 x 3 matrix.
@@ -237,7 +237,7 @@ pub fn determinant<const D: usize>(a: &SMatrix<f64, D, D>) -> f64 {
 }
 
 fn norm(phi: &Angles) -> f64 {
-    SVector::<f64, MAX_ANGLES>::from(*phi).norm()
+    float::sqrt(SVector::<f64, MAX_ANGLES>::from(*phi).norm_squared())
 }
 
 /// Unit axis from the symmetric part, `(R + R^T)/2 = cos I + (1 - cos) a a^T`, with the sign of the skew part.

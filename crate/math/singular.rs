@@ -51,7 +51,7 @@ pub fn singular<const D: usize>(matrix: &SMatrix<f64, D, D>) -> Singular<D> {
     sort_columns(&mut work, &mut right);
     let mut values = [0.0; D];
     for j in 0..D {
-        values[j] = work.column(j).norm();
+        values[j] = sqrt(work.column(j).norm_squared());
     }
     let left = orthonormal_columns(&work, &values);
     Singular { left, values: values.map(|value| value * scale), right }

@@ -108,24 +108,33 @@ impl<const D: usize> TangentMatrix<D> {
 
     /// Restricts an information matrix on `theta` to the tangent space at `rotation`: `T^T Lambda T`,
     /// `T = d vec([R exp(hat(phi)) | t])/d(phi, t)`.
+    ///
+    /// In body axes, `S_jk = R^T Lambda_jk R`, a turn about one axis picks two columns: `hat(e_i)` takes column `p` of `Q`
+    /// to axis `q` and column `q` to minus axis `p`.
     pub fn restrict(information: &BlockMatrix<D>, rotation: &Rotation<D>) -> Self {
-        let directions = tangents(rotation);
+        let turned = InBodyAxes::new(information, rotation);
         let angles = rotation_angles(D);
         let mut result = Self::zeros();
-        for i in 0..tangent_dimension(D) {
-            let image = if i < angles {
-                information.times(&directions[i])
-            } else {
-                information.times(&unit_shift(i - angles))
-            };
-            for j in 0..angles {
-                result.0[(j, i)] = directions[j].orientation.dot(&image.orientation);
+        for i in 0..angles {
+            let (p, q) = turned_axes::<D>(i);
+            for k in 0..=i {
+                let (r, s) = turned_axes::<D>(k);
+                let entry = turned.entry((p, q), (r, s))
+                    - turned.entry((p, q), (s, r))
+                    - turned.entry((q, p), (r, s))
+                    + turned.entry((q, p), (s, r));
+                (result.0[(i, k)], result.0[(k, i)]) = (entry, entry);
             }
-            for j in 0..D {
-                result.0[(angles + j, i)] = image.position[j];
+            for k in 0..D {
+                let entry = turned.mixed[p][(k, q)] - turned.mixed[q][(k, p)];
+                (result.0[(angles + k, i)], result.0[(i, angles + k)]) = (entry, entry);
             }
         }
-        result.0 = (result.0 + result.0.transpose()) * 0.5;
+        for k in 0..D {
+            for i in 0..D {
+                result.0[(angles + i, angles + k)] = information.entry(D * D + i, D * D + k);
+            }
+        }
         result
     }
 
@@ -146,9 +155,11 @@ impl<const D: usize> TangentMatrix<D> {
 /// Restricts a gradient on `theta` to the tangent space at `rotation`: `T^T vec(gradient)`.
 pub fn restrict_gradient<const D: usize>(gradient: &Theta<D>, rotation: &Rotation<D>) -> TangentVector {
     let angles = rotation_angles(D);
+    let in_body = rotation.matrix().transpose() * gradient.orientation;
     let mut result = TangentVector::zeros();
-    for (i, direction) in tangents(rotation).iter().enumerate().take(angles) {
-        result[i] = direction.orientation.dot(&gradient.orientation);
+    for i in 0..angles {
+        let (p, q) = turned_axes::<D>(i);
+        result[i] = in_body[(q, p)] - in_body[(p, q)];
     }
     for j in 0..D {
         result[angles + j] = gradient.position[j];
@@ -179,15 +190,32 @@ pub fn join<const D: usize>(phi: &Angles, shift: &SVector<f64, D>) -> TangentVec
     x
 }
 
-fn tangents<const D: usize>(rotation: &Rotation<D>) -> [Theta<D>; MAX_ANGLES] {
-    core::array::from_fn(|i| Theta {
-        orientation: if i < rotation_angles(D) { rotation.tangent(i) } else { SMatrix::zeros() },
-        position: SVector::zeros(),
-    })
+/// The axes `(p, q)` of a turn: `hat(e_i)` takes axis `p` to `q` and `q` to minus `p`.
+fn turned_axes<const D: usize>(i: usize) -> (usize, usize) {
+    if D == 2 { (0, 1) } else { ((i + 1) % 3, (i + 2) % 3) }
 }
 
-fn unit_shift<const D: usize>(axis: usize) -> Theta<D> {
-    let mut theta = Theta::zeros();
-    theta.position[axis] = 1.0;
-    theta
+/// The blocks of a matrix on `[Q | t]`, turned into the axes of the body.
+struct InBodyAxes<const D: usize> {
+    /// `R^T A_jk R` for `j >= k`.
+    orientation: [[SMatrix<f64, D, D>; D]; D],
+    /// `A_tk R`.
+    mixed: [SMatrix<f64, D, D>; D],
+}
+
+impl<const D: usize> InBodyAxes<D> {
+    fn new(matrix: &BlockMatrix<D>, rotation: &Rotation<D>) -> Self {
+        let (r, mut orientation) = (rotation.matrix(), [[SMatrix::zeros(); D]; D]);
+        for j in 0..D {
+            for k in 0..=j {
+                orientation[j][k] = r.transpose() * (matrix.block(j, k) * r);
+            }
+        }
+        Self { orientation, mixed: core::array::from_fn(|k| matrix.block(D, k) * r) }
+    }
+
+    /// Entry between axis `a` of column `j` and axis `b` of column `k`.
+    fn entry(&self, (j, a): (usize, usize), (k, b): (usize, usize)) -> f64 {
+        if j >= k { self.orientation[j][k][(a, b)] } else { self.orientation[k][j][(b, a)] }
+    }
 }

@@ -139,6 +139,40 @@ impl<const D: usize> Covariance<D> {
         metric.map_err(|pivot| Error::NotPositiveDefinite { what: "the covariance of Q", pivot })
     }
 
+    /// The full inverse.
+    ///
+    /// # Errors
+    /// The offending pivot.
+    pub fn precision(&self) -> core::result::Result<BlockMatrix<D>, f64> {
+        match self {
+            Self::Decoupled { axes, blocks } => {
+                let mut inverse = invert_orientation_blocks(blocks)?;
+                inverse[D] = spd_inverse(&blocks[D])?;
+                Ok(expand(axes, &inverse))
+            }
+            Self::Full(matrix) => matrix.inverse(),
+        }
+    }
+
+    /// `x^T P^-1 x` for `x = vec(theta)`.
+    ///
+    /// # Errors
+    /// The offending pivot.
+    pub fn inverse_quadratic_form(&self, theta: &Theta<D>) -> core::result::Result<f64, f64> {
+        match self {
+            Self::Decoupled { axes, blocks } => {
+                let in_axes = theta.orientation * axes;
+                let mut sum = 0.0;
+                for j in 0..=D {
+                    let x = if j < D { in_axes.column(j).into_owned() } else { theta.position };
+                    sum += x.dot(&(spd_inverse(&blocks[j])? * x));
+                }
+                Ok(sum)
+            }
+            Self::Full(matrix) => matrix.inverse_quadratic_form(theta),
+        }
+    }
+
     /// The full matrix.
     pub fn to_blocks(&self) -> BlockMatrix<D> {
         match self {

@@ -5,6 +5,8 @@ use nalgebra::SMatrix;
 use super::covariance::expand;
 use crate::math::block::{BlockMatrix, MAX_BLOCKS};
 use crate::math::pose::Theta;
+use crate::math::rotation::Rotation;
+use crate::math::tangent::TangentMatrix;
 
 /// The information matrix `Lambda = sum_n (c_n c_n^T) (x) R_n` about `theta`, with `c_n` extended by 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,6 +36,14 @@ impl<const D: usize> Information<D> {
                 expand(axes, &blocks)
             }
             Self::Full(matrix) => *matrix,
+        }
+    }
+
+    /// `T^T Lambda T`, the information about the tangent coordinates at `rotation`.
+    pub fn on_tangent_space(&self, rotation: &Rotation<D>) -> TangentMatrix<D> {
+        match self {
+            Self::Decoupled { .. } => TangentMatrix::restrict(&self.to_blocks(), rotation),
+            Self::Full(matrix) => TangentMatrix::restrict(matrix, rotation),
         }
     }
 

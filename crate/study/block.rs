@@ -7,7 +7,7 @@ use super::bound_tally::BoundTally;
 use super::flat::{Flat, Numbers};
 use super::report::BoundSummary;
 use super::tally::{Summary, Tally};
-use crate::bounds::{BoundKind, bounds_along};
+use crate::bounds::{BoundKind, visit_bounds};
 use crate::error::{Error, Result};
 use crate::model::epoch::Recording;
 use crate::model::estimator_settings::EstimatorSettings;
@@ -66,15 +66,15 @@ impl Block {
     }
 
     fn push_bounds<const D: usize>(&mut self, recording: &Recording<D>) -> Result<()> {
-        let along = bounds_along(recording)?;
-        for (kind, tallies) in BoundKind::ALL.into_iter().zip(&mut self.bounds) {
-            for (step, tally) in along.iter().zip(tallies) {
+        let mut k = 0;
+        visit_bounds(recording, |step| {
+            for (kind, tallies) in BoundKind::ALL.into_iter().zip(&mut self.bounds) {
                 if let Some(Ok(bound)) = step.get(kind) {
-                    tally.push(bound);
+                    tallies[k].push(bound);
                 }
             }
-        }
-        Ok(())
+            k += 1;
+        })
     }
 
     /// Appends the trials that come next.

@@ -40,7 +40,7 @@ impl<const D: usize> PoseError<D> {
 
 /// Angle between two vectors, accurate also where it is small; `pi/2` if one of them vanishes.
 fn angle_between<const D: usize>(a: &SVector<f64, D>, b: &SVector<f64, D>) -> f64 {
-    let (length_a, length_b) = (a.norm(), b.norm());
+    let (length_a, length_b) = (sqrt(a.norm_squared()), sqrt(b.norm_squared()));
     if length_a == 0.0 || length_b == 0.0 {
         return core::f64::consts::FRAC_PI_2;
     }

@@ -13,8 +13,9 @@ use crate::model::ranging::{RangeForm, RangeModel};
 
 const MAX_ITERATIONS: usize = 30;
 
-/// A squared step of 1e-10 standard deviations changes nothing.
-const NEGLIGIBLE: f64 = 1e-20;
+/// A squared step of 1e-6 standard deviations is the last: what the next would correct is its square, or a part of
+/// it where residuals are large.
+const LAST: f64 = 1e-12;
 
 /// Below this promise a cost that does not fall is rounding, not a wrong step.
 const ROUNDING: f64 = 1e-8;
@@ -32,13 +33,14 @@ pub struct ErrorStateKalmanFilter<const D: usize> {
     pose: Pose<D>,
     covariance: TangentMatrix<D>,
     buffer: RangeBuffer<D>,
+    /// Those of the last evaluation.
+    normal: NormalEquations<D>,
 }
 
 /// One evaluation of the cost: where, how much, and its Gauss-Newton model.
 #[derive(Clone, Copy)]
 struct Model<const D: usize> {
     pose: Pose<D>,
-    normal: NormalEquations<D>,
     cost: f64,
     covariance: TangentMatrix<D>,
     step: TangentVector,
@@ -54,7 +56,7 @@ impl<const D: usize> ErrorStateKalmanFilter<D> {
         let rotation = Rotation::project(&initial.theta.orientation, Manifold::So);
         let pose = Pose { rotation, position: initial.theta.position };
         let buffer = model.range_buffer();
-        Self { model, process, form, pose, covariance, buffer }
+        Self { model, process, form, pose, covariance, buffer, normal: NormalEquations::empty() }
     }
 
     fn evaluate(
@@ -64,24 +66,26 @@ impl<const D: usize> ErrorStateKalmanFilter<D> {
         precision: &TangentMatrix<D>,
         pose: Pose<D>,
     ) -> Result<Model<D>> {
-        let normal = self.model.normal_equations(
+        self.model.fill_normal_equations(
             &epoch.ranges,
             epoch.weight_ranges(),
             &Theta::from(pose),
             self.form,
             &mut self.buffer,
+            &mut self.normal,
         )?;
+        let normal = &self.normal;
         let (phi, shift) = prior.local(&pose);
         let deviation = join(&phi, &shift);
         let pulled = precision.times(&deviation);
         let jacobian = prior_jacobian::<D>(&phi);
         let mut information = precision.congruence(&jacobian);
-        information.add(&TangentMatrix::restrict(&normal.information.to_blocks(), &pose.rotation));
+        information.add(&normal.information.on_tangent_space(&pose.rotation));
         let covariance = information.inverse().map_err(not_positive)?;
         let gradient = restrict_gradient(&normal.innovation, &pose.rotation) - jacobian.transpose() * pulled;
         let cost = normal.energy + deviation.dot(&pulled);
         let step = covariance.times(&gradient);
-        Ok(Model { pose, normal, cost, covariance, step, decrement: gradient.dot(&step) })
+        Ok(Model { pose, cost, covariance, step, decrement: gradient.dot(&step) })
     }
 
     /// Gauss-Newton from `start`.
@@ -95,11 +99,13 @@ impl<const D: usize> ErrorStateKalmanFilter<D> {
         let mut best = start;
         let mut scale = 1.0;
         for _ in 0..MAX_ITERATIONS {
-            if best.decrement <= NEGLIGIBLE {
+            let (phi, shift) = split(&(best.step * scale));
+            let pose = best.pose.retract(&phi, &shift);
+            if best.decrement <= LAST {
+                best.pose = pose;
                 break;
             }
-            let (phi, shift) = split(&(best.step * scale));
-            let candidate = self.evaluate(epoch, prior, precision, best.pose.retract(&phi, &shift))?;
+            let candidate = self.evaluate(epoch, prior, precision, pose)?;
             if candidate.cost <= best.cost {
                 (best, scale) = (candidate, 1.0);
             } else if best.decrement <= ROUNDING {
@@ -136,17 +142,18 @@ impl<const D: usize> Estimator<D> for ErrorStateKalmanFilter<D> {
         );
         let precision = predicted.inverse().map_err(not_positive)?;
         let start = self.evaluate(epoch, &prior, &precision, prior)?;
+        let NormalEquations { innovation, energy, residuals, .. } = self.normal;
         let best = self.minimize(epoch, &prior, &precision, start)?;
         // Repeated products of rotations drift by an ulp a step; this keeps the state a rotation for ever.
         let rotation = best.pose.rotation.renormalized();
         self.pose = Pose { rotation, position: best.pose.position };
         self.covariance = best.covariance;
         let posterior = Theta::from(self.pose);
-        let value = (start.normal.energy - start.decrement).max(0.0);
+        let value = (energy - start.decrement).max(0.0);
         Ok(Step {
             prior: Theta::from(prior),
-            innovation: start.normal.innovation,
-            nis: Consistency { value, degrees_of_freedom: start.normal.residuals },
+            innovation,
+            nis: Consistency { value, degrees_of_freedom: residuals },
             unprojected: posterior,
             posterior,
             uncertainty: Uncertainty::Tangent(best.covariance),

@@ -104,7 +104,7 @@ impl<const D: usize> Step<D> {
         let tangent = match &self.uncertainty {
             Uncertainty::Linear(p) => TangentMatrix::of_nearest_pose(&p.to_blocks(), &rotation),
             Uncertainty::Constrained(p) => {
-                let precision = p.to_blocks().inverse().map_err(not_positive)?;
+                let precision = p.precision().map_err(not_positive)?;
                 TangentMatrix::restrict(&precision, &rotation).inverse().map_err(not_positive)?
             }
             Uncertainty::Tangent(p) => *p,
@@ -121,11 +121,11 @@ impl<const D: usize> Step<D> {
         match &self.uncertainty {
             Uncertainty::Linear(p) => {
                 let error = self.posterior.minus(&Theta::from(*truth));
-                let precision = p.to_blocks().inverse().map_err(not_positive)?;
-                Ok(Consistency { value: precision.quadratic_form(&error), degrees_of_freedom: D * (D + 1) })
+                let value = p.inverse_quadratic_form(&error).map_err(not_positive)?;
+                Ok(Consistency { value, degrees_of_freedom: D * (D + 1) })
             }
             Uncertainty::Constrained(p) => {
-                let precision = p.to_blocks().inverse().map_err(not_positive)?;
+                let precision = p.precision().map_err(not_positive)?;
                 Ok(self.tangent_nees(truth, &TangentMatrix::restrict(&precision, &self.rotation())))
             }
             Uncertainty::Tangent(p) => Ok(self.tangent_nees(truth, &p.inverse().map_err(not_positive)?)),

@@ -5,6 +5,7 @@ use nalgebra::{SMatrix, SVector};
 use super::projection::cost;
 use crate::error::{Error, Result};
 use crate::math::block::BlockMatrix;
+use crate::math::float::sqrt;
 use crate::math::linalg::spd_inverse;
 use crate::math::rotation::{MAX_ANGLES, Rotation};
 use crate::math::singular::singular;
@@ -40,7 +41,7 @@ pub(super) fn newton<const D: usize>(
     let mut last = f64::INFINITY;
     for _ in 0..MAX_ITERATIONS {
         let Step { angles: step, convex, fall, noise } = newton_step(&rotation, q, metric);
-        let size = step.norm();
+        let size = sqrt(step.norm_squared());
         let local = convex && (size < LOCAL_STEP || fall <= noise);
         if size <= f64::EPSILON || (local && size >= 0.5 * last) {
             return Ok(rotation.renormalized());
@@ -94,7 +95,7 @@ fn newton_step<const D: usize>(
         }
         hessian[(i, i)] -= trace;
     }
-    let noise = ROUNDING * residual.norm();
+    let noise = ROUNDING * sqrt(residual.norm_squared());
     let (step, convex) = match spd_inverse(&hessian) {
         Ok(inverse) => (-(inverse * gradient), true),
         Err(_) => (indefinite_step(&hessian, &gradient, noise), false),

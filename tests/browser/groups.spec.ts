@@ -1,5 +1,6 @@
 import { expect, test } from "@playwright/test";
 import { Lab } from "./lab";
+import { SIZES } from "./states";
 
 /** Everything typed in the controls outside the tables of points, by label. */
 async function fields(lab: Lab): Promise<string[]> {
@@ -150,3 +151,21 @@ test("a body is chosen, made larger, and a sensor moved", async ({ page }) => {
   await group.getByRole("button", { name: "Centre them" }).click();
   await expect(group).toContainText("Centred on the body's origin");
 });
+
+for (const size of SIZES) {
+  test(`the widest theme needs no sideways scrolling: ${size.width} x ${size.height}`, async ({ page }) => {
+    await page.setViewportSize(size);
+    const lab = await Lab.open(page, "./?renderer=canvas2d&theme=projector");
+    await page.getByRole("button", { name: "NEES column" }).click();
+    await lab.openGroups();
+    const tooWide = await page.evaluate(() =>
+      [...document.querySelectorAll("aside, aside *, .readout")]
+        .filter(
+          (part) => part.scrollWidth > part.clientWidth + 1 && getComputedStyle(part).display !== "inline",
+        )
+        .filter((part) => !part.matches("input, .visually-hidden, .below, select"))
+        .map((part) => `${part.tagName} ${part.className}: ${part.scrollWidth} in ${part.clientWidth}`),
+    );
+    expect(tooWide).toEqual([]);
+  });
+}

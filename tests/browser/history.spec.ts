@@ -18,7 +18,7 @@ test("undo and redo walk through every kind of edit; a drag is one", async ({ pa
   await record(/Anchor 7 added/);
   expect(new Set(states).size).toBe(states.length);
 
-  await expect(page.getByRole("button", { name: "Undo" })).toHaveAttribute("title", /Anchor added/);
+  await expect(page.getByRole("button", { name: "Undo" })).toHaveAttribute("title", /Anchor 7 added/);
   for (const state of states.slice(0, -1).reverse()) {
     await page.getByRole("button", { name: "Undo" }).click();
     await expect(lab.status).toContainText("Undone");

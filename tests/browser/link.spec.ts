@@ -31,6 +31,7 @@ test("a link pasted into the open page is an edit that can be undone", async ({ 
   const after = await lab.readout();
   await page.getByRole("button", { name: "Reset", exact: true }).click();
   await expect.poll(() => lab.readout()).toBe(before);
+  await expect.poll(() => new URL(page.url()).hash).not.toBe(hash);
   await page.evaluate((next) => (location.hash = next), hash);
   await expect.poll(() => lab.readout()).toBe(after);
   await page.getByRole("button", { name: "Undo" }).click();

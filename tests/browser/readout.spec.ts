@@ -90,3 +90,19 @@ test("NEES stands in the table on demand, also at the next visit", async ({ page
   await page.reload();
   await expect.poll(async () => (await lab.errors("uc-kf"))[2]).toBe(nees);
 });
+
+test("beside Monte-Carlo plots the table holds root mean square errors, and one run's again after", async ({
+  page,
+}) => {
+  const lab = await Lab.open(page);
+  const table = page.getByRole("table", { name: "Errors at this step" });
+  const before = await lab.readout();
+  await expect(table).toContainText("Errors of this run");
+  await page.getByText("Monte-Carlo", { exact: true }).click();
+  await expect(table).toContainText(/RMSE of \d+ trials/, { timeout: 30_000 });
+  const [angle] = await lab.errors("uc-kf");
+  const [bound] = await lab.bound();
+  expect(Number(angle)).toBeGreaterThan(0.9 * Number(bound));
+  await page.getByText("One run", { exact: true }).click();
+  await expect.poll(() => lab.readout()).toBe(before);
+});

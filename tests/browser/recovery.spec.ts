@@ -63,3 +63,30 @@ test("a page whose engine does not arrive says so in a sentence", async ({ page 
   await page.getByRole("button", { name: "Try again" }).click();
   await expect(page.locator(".status")).toContainText("Ready");
 });
+
+test("a page that cannot be drawn keeps the scene and offers ways back", async ({ page }) => {
+  const lab = await Lab.open(page);
+  await lab.type("Seed", "31");
+  await expect(lab.status).toContainText("Seed set to 31");
+  const readout = await lab.readout();
+  await page.evaluate(() => {
+    const original = Number.prototype.toPrecision;
+    Number.prototype.toPrecision = () => {
+      throw new Error("Numbers cannot be written any more.");
+    };
+    Object.assign(window, { mend: () => (Number.prototype.toPrecision = original) });
+  });
+  await page.getByRole("button", { name: "One step back" }).click();
+  await expect(page.getByRole("heading", { name: "The page could not be drawn" })).toBeVisible();
+  await expect(page.getByRole("alert")).toContainText("Numbers cannot be written any more.");
+  await page.getByRole("button", { name: "Copy report" }).click();
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toMatch(/#v1\./);
+
+  await page.evaluate(() => (window as unknown as { mend(): void }).mend());
+  await page.getByRole("button", { name: "Draw it again" }).click();
+  await expect(lab.field("Seed")).toHaveValue("31");
+  await page.keyboard.press("End");
+  await expect.poll(() => lab.readout()).toBe(readout);
+  await page.keyboard.press("Control+z");
+  await expect(lab.field("Seed")).toHaveValue("1");
+});

@@ -1,4 +1,4 @@
-import { expect, test } from "@playwright/test";
+import { expect, type Page, test } from "@playwright/test";
 import { inked } from "./health";
 import { Lab } from "./lab";
 import { graphicsBrowser } from "./playwright.config";
@@ -65,6 +65,70 @@ test("a browser without any graphics device gets the plain canvas", async ({ pag
   expect(await inked(lab)).toBeGreaterThan(0.005);
 });
 
+for (const [what, answer] of [
+  ["throws", "throw new Error('no adapter today')"],
+  ["refuses", "return Promise.reject(new Error('no adapter today'))"],
+  ["never answers", "return new Promise(() => {})"],
+] as const)
+  test(`a browser whose request for an adapter ${what} falls back by itself`, async ({ page }) => {
+    test.setTimeout(180_000);
+    await page.addInitScript((body) => {
+      Object.defineProperty(navigator, "gpu", { value: { requestAdapter: new Function(body) } });
+    }, answer);
+    const lab = await Lab.open(page, "./?theme=light");
+    await expect(lab.scene).toHaveAttribute("data-backend", "webgl");
+    expect(await lab.readout()).toBe(readouts["canvas2d"] ?? (await lab.readout()));
+  });
+
+/** Every device that the page opens from now on can be destroyed from outside. */
+async function keepDevices(page: Page): Promise<void> {
+  await page.addInitScript(() => {
+    const kept: { destroy(): void }[] = [];
+    Object.assign(window, { kept });
+    const prototype = (globalThis as unknown as { GPUAdapter: { prototype: Record<string, unknown> } })
+      .GPUAdapter.prototype;
+    const open = prototype["requestDevice"] as (...values: unknown[]) => Promise<{ destroy(): void }>;
+    prototype["requestDevice"] = async function (...values: unknown[]) {
+      const device = await open.apply(this, values);
+      kept.push(device);
+      return device;
+    };
+  });
+}
+const destroyDevice = (page: Page) =>
+  page.evaluate(() => {
+    document.querySelector(".host canvas")?.setAttribute("data-old", "");
+    (window as unknown as { kept: { destroy(): void }[] }).kept.at(-1)?.destroy();
+  });
+
+test("a lost WebGPU device is replaced by itself, the scene and its edits stay", async ({ page }) => {
+  test.setTimeout(180_000);
+  await keepDevices(page);
+  const lab = await Lab.open(page, "./?renderer=webgpu&theme=light");
+  await expect(lab.scene).toHaveAttribute("data-backend", "webgpu");
+  await lab.drag(2, 40, -20);
+  const [anchor, readout] = [await lab.anchor(2), await lab.readout()];
+  await destroyDevice(page);
+  await expect(page.locator(".host canvas[data-old]")).toHaveCount(0);
+  await expect(lab.scene).toHaveAttribute("data-backend", "webgpu", { timeout: 60_000 });
+  await expect.poll(() => inked(lab)).toBeGreaterThan(0.005);
+  expect(await lab.anchor(2)).toBe(anchor);
+  expect(await lab.readout()).toBe(readout);
+});
+
+test("a device that is lost again and again is given up for the plain canvas", async ({ page }) => {
+  test.setTimeout(180_000);
+  await keepDevices(page);
+  const lab = await Lab.open(page, "./?renderer=webgpu&theme=light");
+  for (let i = 0; i < 3; i++) {
+    await expect(lab.scene).toHaveAttribute("data-backend", "webgpu", { timeout: 60_000 });
+    await destroyDevice(page);
+    await expect(page.locator(".host canvas[data-old]")).toHaveCount(0);
+  }
+  await expect(lab.scene).toHaveAttribute("data-backend", "canvas2d", { timeout: 60_000 });
+  expect(await inked(lab)).toBeGreaterThan(0.005);
+});
+
 test("a lost WebGL context is replaced and the scene drawn again", async ({ page }) => {
   test.setTimeout(180_000);
   const lab = await Lab.open(page, "./?renderer=webgl&theme=light");
@@ -75,9 +139,7 @@ test("a lost WebGL context is replaced and the scene drawn again", async ({ page
     return canvas !== null;
   });
   expect(marked).toBe(true);
-  await page.waitForTimeout(300);
-  await lab.surface.focus();
-  await page.keyboard.press("ArrowLeft");
   await expect(page.locator(".host canvas[data-old]")).toHaveCount(0);
+  await expect(lab.scene).toHaveAttribute("data-backend", "webgl", { timeout: 60_000 });
   await expect.poll(() => inked(lab)).toBeGreaterThan(0.005);
 });

@@ -172,7 +172,6 @@ test("the wheel goes towards the pointer, and Fit brings everything back from an
   const lab = await Lab.open(page);
   const home = await lab.anchorPixel(2);
   await page.mouse.move(home.x, home.y);
-  await page.mouse.wheel(0, -400);
   const bar = page.locator(".scene .scale .bar");
   const metresPerPixel = async () =>
     parseFloat(await page.locator(".scene .scale").innerText()) / ((await bar.boundingBox())?.width ?? 0);

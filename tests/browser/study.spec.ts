@@ -15,11 +15,18 @@ async function openStudy(page: Page): Promise<Lab> {
 const trials = async (page: Page): Promise<number> =>
   Number.parseInt(await page.getByTestId("trials").innerText(), 10);
 
-/** Waits for a picture of so many trials and stops there. */
+/** Waits for a picture of so many trials, stops there, and waits for the blocks that were begun. */
 async function stopAfter(page: Page, count: number): Promise<number> {
   await expect.poll(() => trials(page), { timeout: 60_000, intervals: [20] }).toBeGreaterThanOrEqual(count);
   await page.getByRole("button", { name: "Stop" }).click();
-  return trials(page);
+  let last = -1;
+  const settled = async () => {
+    const before = last;
+    last = await trials(page);
+    return last === before;
+  };
+  await expect.poll(settled, { timeout: 30_000, intervals: [2000] }).toBe(true);
+  return last;
 }
 
 /** The numbers of a plot as a reader saves them. */
@@ -33,9 +40,17 @@ async function saved(lab: Lab, title: string): Promise<{ trials: number; rows: R
   return { trials: Number(/trials 0 to (\d+)/.exec(comments)?.[1]) + 1, rows };
 }
 
+/** The scenario at hand, saved as a file. */
+async function savedScenario(page: Page): Promise<string> {
+  const download = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Export" }).click();
+  await page.getByRole("button", { name: "Scenario as a file (JSON)" }).click();
+  return (await download).path();
+}
+
 /** The same study by the command line. */
-function commandLine(preset: string, count: number): Record<string, string>[] {
-  const options = ["study", preset, "--trials", String(count), "--format", "csv"];
+function commandLine(scenario: string, count: number): Record<string, string>[] {
+  const options = ["study", scenario, "--trials", String(count), "--format", "csv"];
   const text = execFileSync("cargo", ["run", "--quiet", "--bin", "rangelab", "--", ...options], {
     cwd: ROOT,
     encoding: "utf8",
@@ -58,7 +73,7 @@ test("the averages are those of the command line, to the last digit", async ({ p
   await stopAfter(page, FIRST_PICTURE);
   const pictures = [];
   for (const figure of FIGURES) pictures.push({ ...figure, ...(await saved(lab, figure.plot)) });
-  const expected = commandLine("room", pictures[0].trials);
+  const expected = commandLine(await savedScenario(page), pictures[0].trials);
   expect(pictures[0].trials).toBeGreaterThanOrEqual(FIRST_PICTURE);
   for (const { plot, unit, column, factor, rows } of pictures)
     for (const [name, label] of Object.entries(LABELS)) {
@@ -146,5 +161,5 @@ test("workers that cannot start are told in a sentence; the rest of the page wor
   await expect.poll(() => trials(page), { timeout: 60_000 }).toBeGreaterThanOrEqual(20);
   await page.getByRole("button", { name: "One run" }).click();
   await expect(lab.plot("Orientation error")).toBeVisible();
-  expect(page.workers()).toHaveLength(0);
+  await expect.poll(() => page.workers().length).toBe(0);
 });

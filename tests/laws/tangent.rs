@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 use rangelab::math::pose::{Pose, Theta};
-use rangelab::math::rotation::{Rotation, rotation_angles};
+use rangelab::math::rotation::{Manifold, Rotation, rotation_angles};
 use rangelab::math::tangent::{
     MAX_TANGENT, TangentMatrix, TangentVector, join, restrict_gradient, split, tangent_dimension,
 };
@@ -14,6 +14,8 @@ use crate::support::{at_most, caught, dense};
 crate::in_plane_and_space!(
     restriction_is_the_information_along_the_manifold,
     gradients_restrict_alike,
+    rotation_blocks_go_to_the_world_frame,
+    the_nearest_pose_varies_as_its_derivative_says,
     split_undoes_join,
     matrix_algebra,
 );
@@ -53,6 +55,53 @@ fn restriction_is_the_information_along_the_manifold<const D: usize>() {
                 }
             }
         }
+    }
+}
+
+fn rotation_blocks_go_to_the_world_frame<const D: usize>() {
+    let (mut sampler, step) = (Sampler::new(64), 1e-6);
+    for _ in 0..100 {
+        let (rotation, angles) = (sampler.rotation::<D>(), rotation_angles(D));
+        let covariance = TangentMatrix::restrict(&blocks(&mut sampler, |_| 1.0), &rotation);
+        let seen_in_world = |i: usize| {
+            let mut phi = [0.0; 3];
+            phi[i] = step;
+            rotation.compose(&Rotation::exp(&phi)).compose(&rotation.inverse()).log().map(|x| x / step)
+        };
+        let slopes = DMatrix::from_fn(angles, angles, |i, j| seen_in_world(j)[i]);
+        let in_body = dense::tangent(&covariance).view((0, 0), (angles, angles)).into_owned();
+        let expected = &slopes * &in_body * slopes.transpose();
+        let block = covariance.rotation_block_in_world(&rotation);
+        let found = DMatrix::from_fn(angles, angles, |i, j| block[(i, j)]);
+        at_most("R C R^T", dense::difference(&found, &expected), 1e-8);
+        assert!((0..9).all(|k| (k / 3).max(k % 3) < angles || block[(k / 3, k % 3)] == 0.0));
+        if D == 3 {
+            caught("the covariance in the body frame", dense::difference(&in_body, &expected), 1e-7);
+        }
+    }
+}
+
+fn the_nearest_pose_varies_as_its_derivative_says<const D: usize>() {
+    let (mut sampler, step) = (Sampler::new(65), 1e-6);
+    for _ in 0..50 {
+        let (pose, covariance) = (sampler.pose::<D>(1.0), blocks::<D>(&mut sampler, |_| 1.0));
+        let mut slopes = DMatrix::zeros(tangent_dimension(D), D * (D + 1));
+        for k in 0..D * (D + 1) {
+            let moved = |sign: f64| {
+                let mut theta = dense::vector(&Theta::from(pose));
+                theta[k] += sign * step;
+                let Theta { orientation, position } = dense::theta::<D>(&theta);
+                let nearest = Pose { rotation: Rotation::project(&orientation, Manifold::So), position };
+                let (phi, shift) = pose.local(&nearest);
+                DVector::from_fn(tangent_dimension(D), |i, _| join(&phi, &shift)[i])
+            };
+            slopes.set_column(k, &((moved(1.0) - moved(-1.0)) / (2.0 * step)));
+        }
+        let expected = &slopes * dense::matrix(&covariance) * slopes.transpose();
+        let found = dense::tangent(&TangentMatrix::of_nearest_pose(&covariance, &pose.rotation));
+        at_most("covariance of the nearest pose", dense::difference(&found, &expected), 1e-8);
+        let restricted = dense::tangent(&TangentMatrix::restrict(&covariance, &pose.rotation));
+        caught("without the halves", dense::difference(&restricted, &expected), 1e-2);
     }
 }
 

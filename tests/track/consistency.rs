@@ -1,5 +1,7 @@
 //! NIS and NEES follow their chi-square laws where truth and noise are drawn from the filter's own model.
 
+use nalgebra::DVector;
+use rangelab::math::rotation::rotation_angles;
 use rangelab::model::estimator_settings::{EstimatorName, EstimatorSettings};
 use rangelab::model::noise::RangeNoise;
 use rangelab::model::ranging::Weighting;
@@ -11,6 +13,7 @@ use crate::support::sampling::Sampler;
 crate::in_plane_and_space!(
     the_linear_filter_is_calibrated,
     manifold_filters_are_calibrated,
+    rotation_covariances_are_calibrated,
     a_wrong_noise_is_seen,
 );
 
@@ -64,7 +67,7 @@ fn linear_nees<const D: usize>(
 ) -> Consistency {
     let error = step.posterior.minus(truth);
     let precision = crate::gain_form::covariance(step).to_blocks().inverse().unwrap();
-    Consistency { value: precision.quadratic_form(&error), degrees_of_freedom: D * (D + 1) }
+    Consistency { value: error.dot(&precision.times(&error)), degrees_of_freedom: D * (D + 1) }
 }
 
 #[track_caller]
@@ -94,6 +97,39 @@ fn manifold_filters_are_calibrated<const D: usize>() {
     let options = Options { noise: RangeNoise::Range { sigma: 0.01 }, steps: 6, ..Options::default() };
     for name in [EstimatorName::Eskf, EstimatorName::EskfRaw] {
         check::<D>(810, &Options { variance: 1e-12, ..options }, name, 4.0);
+    }
+}
+
+/// The rotation from the estimate to the truth, seen in the world frame, against its covariance.
+fn rotation_sum<const D: usize>(seed: u64, options: &Options, name: EstimatorName) -> Sum {
+    let (mut sampler, mut sum) = (Sampler::new(seed), Sum::default());
+    for _ in 0..RUNS {
+        let track = Track::<D>::random(&mut sampler, options);
+        let mut filter = track.estimator(name, &EstimatorSettings::default());
+        let step = track.recording.epochs.iter().map(|epoch| filter.step(epoch).unwrap()).last().unwrap();
+        let truth = pose(track.truth.last().unwrap()).rotation;
+        let angles = rotation_angles(D);
+        let error = DVector::from_column_slice(&truth.compose(&step.rotation().inverse()).log()[..angles]);
+        let covariance = step.rotation_covariance().unwrap();
+        let precision = covariance.view((0, 0), (angles, angles)).into_owned().cholesky().unwrap().inverse();
+        sum.add(Consistency { value: error.dot(&(&precision * &error)), degrees_of_freedom: angles });
+    }
+    sum
+}
+
+fn rotation_covariances_are_calibrated<const D: usize>() {
+    let options = Options { noise: RangeNoise::Range { sigma: 0.01 }, steps: 6, ..Options::default() };
+    for (name, variance) in
+        [(EstimatorName::Kf, 1.0), (EstimatorName::Eskf, 1e-12), (EstimatorName::EskfRaw, 1e-12)]
+    {
+        let sum = rotation_sum::<D>(830, &Options { variance, ..options }, name);
+        println!("D = {D} {name}: {:+.2} standard errors", sum.deviation());
+        assert!(sum.deviation().abs() < 4.0, "{name}: {} standard errors", sum.deviation());
+        let louder = Options { variance, drawn: 1.2, ..options };
+        assert!(
+            rotation_sum::<D>(830, &louder, name).deviation() > 4.0,
+            "{name}: 20 % more noise is not seen"
+        );
     }
 }
 

@@ -31,7 +31,8 @@ fn difference<const D: usize>(r: &SMatrix<f64, D, D>, q: &SMatrix<f64, D, D>) ->
 }
 
 fn cost<const D: usize>(r: &SMatrix<f64, D, D>, q: &SMatrix<f64, D, D>, metric: &BlockMatrix<D>) -> f64 {
-    metric.quadratic_form(&difference(r, q))
+    let difference = difference(r, q);
+    difference.dot(&metric.times(&difference))
 }
 
 /// Half the slope of the cost along each tangent, and what it is measured against: the terms that cancel in it.

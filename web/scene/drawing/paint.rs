@@ -1,5 +1,7 @@
 //! The order of drawing: solids, then what shines through, then annotations over them.
 //!
+//! What is empty is not drawn: browsers warn of draws without vertices.
+//!
 //! Only opaque triangles hide what is behind them. Within a kind, later records are painted over earlier ones, so that
 //! nearly coincident tracks do not flicker.
 
@@ -21,10 +23,14 @@ fn triangles(pass: &mut RenderPass, scene: &Renderer) {
     let triangles = &scene.triangles;
     let Some(buffer) = triangles.buffer.get() else { return };
     pass.set_vertex_buffer(0, buffer.slice(..));
-    pass.set_pipeline(&scene.pipelines.opaque_triangles);
-    pass.draw(0..triangles.opaque, 0..1);
-    pass.set_pipeline(&scene.pipelines.translucent_triangles);
-    pass.draw(triangles.opaque..triangles.total, 0..1);
+    if triangles.opaque > 0 {
+        pass.set_pipeline(&scene.pipelines.opaque_triangles);
+        pass.draw(0..triangles.opaque, 0..1);
+    }
+    if triangles.total > triangles.opaque {
+        pass.set_pipeline(&scene.pipelines.translucent_triangles);
+        pass.draw(triangles.opaque..triangles.total, 0..1);
+    }
 }
 
 fn ellipsoids(pass: &mut RenderPass, scene: &Renderer) {
@@ -34,6 +40,9 @@ fn ellipsoids(pass: &mut RenderPass, scene: &Renderer) {
     else {
         return;
     };
+    if scene.ellipsoids.total == 0 {
+        return;
+    }
     pass.set_pipeline(&scene.pipelines.ellipsoids);
     pass.set_vertex_buffer(0, vertices.slice(..));
     pass.set_vertex_buffer(1, buffer.slice(..));
@@ -43,6 +52,9 @@ fn ellipsoids(pass: &mut RenderPass, scene: &Renderer) {
 
 fn points(pass: &mut RenderPass, scene: &Renderer) {
     let Some(buffer) = scene.points.buffer.get() else { return };
+    if scene.points.total == 0 {
+        return;
+    }
     pass.set_pipeline(&scene.pipelines.points);
     pass.set_vertex_buffer(0, buffer.slice(..));
     pass.draw(0..6, 0..scene.points.total);

@@ -1,6 +1,6 @@
 /** Narrower or lower than this a plot says too little, in units of the font size. */
 const LEAST_WIDTH = 14.5;
-const LEAST_HEIGHT = 10.5;
+const LEAST_HEIGHT = 9.5;
 /** The shape of a plot that reads best, width to height. */
 const GOOD_ASPECT = 1.9;
 

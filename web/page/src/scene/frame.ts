@@ -50,10 +50,9 @@ export function frameOf(scenario: Scenario, run: LabRun | null, subject: Subject
   };
 }
 
-/** The true position of the body at a step, the last one where the run ends before; its start while there is no run. */
+/** The true position of the body at a step, or where it starts while there is no run. */
 export function bodyPosition(scenario: Scenario, run: LabRun | null, step: number): Vec3 {
-  if (!run) return lift(scenario.start.position);
-  return pointAt(run.truth.positions, Math.min(step, run.steps - 1), run.dimension);
+  return run ? pointAt(run.truth.positions, step, run.dimension) : lift(scenario.start.position);
 }
 
 type Box = readonly [Vec3, Vec3];

@@ -61,7 +61,7 @@ function poleOf({ xs, ys, zs }: Grid, { view }: SceneInput): ((height: number) =
 const BEYOND = 13;
 const SHORTEST = 60;
 
-/** A number at the near end of each line, or where the line comes into view. The middle one says axis and unit. */
+/** A number at the near end of each line, or where the line comes into view. One or two say axis and unit. */
 function scaleAlong(
   axis: string,
   values: readonly number[],
@@ -75,11 +75,12 @@ function scaleAlong(
   if (ends.length < 2) return [];
   const [first, last] = [ends[0].pixel, ends.at(-1)!.pixel];
   if (Math.hypot(last.x - first.x, last.y - first.y) < SHORTEST) return [];
-  const middle = ends[Math.floor(ends.length / 2)].value;
-  return ends.map(({ value, at, offset }) => ({
+  const count = ends.length;
+  const titled = count < 6 ? [count >> 1] : [count >> 2, (3 * count) >> 2];
+  return ends.map(({ value, at, offset }, index) => ({
     id: `${axis} ${formatNumber(value)}`,
     at,
-    text: value === middle ? `${axis} = ${formatNumber(value)} m` : formatNumber(value),
+    text: titled.includes(index) ? `${axis} = ${formatNumber(value)} m` : formatNumber(value),
     kind: "tick",
     offset,
   }));

@@ -3,7 +3,7 @@ import type { Timeline } from "../state/timeline.svelte";
 import { type Camera, type Direction, DIRECTIONS, limit, zoom } from "./camera";
 import { fit, type Inset } from "./fit";
 import { bodyPosition, type Frame, frameOf, type Subject } from "./frame";
-import { add, sub, type Vec3 } from "./geometry";
+import { add, length, sub, type Vec3 } from "./geometry";
 import { Transition } from "./transition";
 import { View, type Viewport } from "./view";
 
@@ -11,7 +11,7 @@ import { View, type Viewport } from "./view";
 export class SceneView {
   viewport: Viewport = $state.raw({ width: 800, height: 500 });
   /** CSS pixels of the view that something else lies over. */
-  inset: Inset = { left: 0, top: 0, bottom: 0 };
+  inset: () => Inset = () => ({ left: 0, top: 0, bottom: 0 });
   frame: Frame = $state.raw()!;
   camera: Camera = $state.raw()!;
   /** The body is followed while it is the subject. */
@@ -58,14 +58,14 @@ export class SceneView {
     this.#go({ ...this.camera, target: point, distance: Math.min(this.camera.distance, this.frame.radius) });
   }
 
-  /** Moves along with the body. */
+  /** Moves along with the body; one on the way to it is there at once. */
   follow(): void {
     const at = this.#body();
-    if (this.subject === "body") {
-      const target = add(this.camera.target, sub(at, this.#followed));
-      this.set({ ...this.camera, target });
-    }
+    const shift = sub(at, this.#followed);
     this.#followed = at;
+    if (this.subject !== "body" || length(shift) === 0) return;
+    const camera = this.#transition.stop() ?? this.camera;
+    this.camera = limit({ ...camera, target: add(camera.target, shift) }, this.frame);
   }
 
   stop(): void {
@@ -81,7 +81,7 @@ export class SceneView {
     this.subject = subject;
     this.frame = frameOf(scenario, run, subject, this.#timeline.step);
     this.#followed = this.#body();
-    return fit(this.frame.points, direction, this.viewport, this.inset);
+    return fit(this.frame.points, direction, this.viewport, this.inset());
   }
 
   #go(camera: Camera): void {

@@ -20,20 +20,27 @@ export function between(from: Camera, to: Camera, share: number): Camera {
 /** One transition at a time; where less motion is preferred the camera is there at once. */
 export class Transition {
   #frame = 0;
+  #to: Camera | null = null;
 
   start(from: Camera, to: Camera, show: (camera: Camera) => void): void {
     this.stop();
     if (matchMedia("(prefers-reduced-motion: reduce)").matches) return show(to);
+    this.#to = to;
     const began = performance.now();
     const next = (now: number) => {
       const share = Math.min(1, Math.max(0, (now - began) / DURATION));
       show(share < 1 ? between(from, to, share) : to);
       if (share < 1) this.#frame = requestAnimationFrame(next);
+      else this.#to = null;
     };
     this.#frame = requestAnimationFrame(next);
   }
 
-  stop(): void {
+  /** Ends where it is; returns where it was going, null where it had arrived. */
+  stop(): Camera | null {
     cancelAnimationFrame(this.#frame);
+    const to = this.#to;
+    this.#to = null;
+    return to;
   }
 }

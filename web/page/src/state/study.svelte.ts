@@ -148,7 +148,8 @@ export class Study {
     if (!begun && this.trials < FIRST_PICTURE && elapsed < PATIENCE_MS) return false;
     const shown = begun ? (this.picture?.curves.trials ?? 0) : 0;
     if (shown < FIRST_PICTURE && this.trials >= FIRST_PICTURE) return true;
-    if (!begun || this.trials === MOST_TRIALS) return true;
+    // After a stop only the blocks begun still come: none of them is kept back.
+    if (!begun || this.stopped || this.trials === MOST_TRIALS) return true;
     return performance.now() - this.#shownAt > REFRESH_MS;
   }
 

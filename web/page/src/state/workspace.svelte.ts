@@ -12,6 +12,7 @@ import {
 import { Exports } from "./exports.svelte";
 import { Faults } from "./faults.svelte";
 import { Layout } from "./layout.svelte";
+import type { StudyPicture } from "./study.svelte";
 import type { Session } from "./session.svelte";
 import { keep } from "./storage";
 import type { Thing } from "./things";
@@ -39,6 +40,8 @@ export class Workspace<R extends LabRun = LabRun> {
   helpOpen = $state(false);
   /** What is under the pointer. */
   hovered: Thing | null = $state(null);
+  /** Averages over many trials, while the plots show them instead of one run. */
+  study: StudyPicture | null = $state.raw(null);
   /** The one estimator that stands out in the plots, or null. */
   emphasis: string | null = $state(null);
 

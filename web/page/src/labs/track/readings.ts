@@ -2,7 +2,8 @@ import { type Run, runsAt } from "../../run";
 import type { Shape } from "../../scene/draw-list";
 import { MARKS } from "../../theme/palette";
 import { band } from "./findings/consistency";
-import { boundLook, shownBounds } from "./plots";
+import type { Curve, StudyCurves } from "../../study";
+import { boundLook, shownBounds, shownOf } from "./plots";
 
 /** A row of the table of errors: an estimator or a bound at one step, with the look that it has everywhere. */
 export interface Reading {
@@ -18,17 +19,16 @@ export interface Reading {
   readonly consistency: Consistency | null;
 }
 
-/** NEES, its degrees of freedom, which are its mean where the covariance is right, and where it stands to the band of a consistent filter. */
+/** NEES over its degrees of freedom, 1 where the covariance is right, and where it stands to the band around that. */
 export interface Consistency {
-  readonly nees: number;
-  readonly degreesOfFreedom: number;
+  readonly ratio: number;
   readonly verdict: "below" | "within" | "above";
 }
 
 export function estimatorReadings(run: Run, step: number): Reading[] {
   return run.estimators.map((estimator) => {
     const { name, label, stopped } = estimator;
-    const look = { name, label, token: name, mark: MARKS[name] ?? "disc", dash: [] };
+    const look = estimatorLook(name, label);
     if (!runsAt(estimator, step)) {
       const remark = `stopped at step ${(stopped?.step ?? 0) + 1}: ${stopped?.sentence}`;
       return { ...look, errors: null, remark, consistency: null };
@@ -37,17 +37,53 @@ export function estimatorReadings(run: Run, step: number): Reading[] {
     const [least, most] = band(estimator);
     const nees = estimator.nees[step];
     const verdict = nees < least ? "below" : nees > most ? "above" : "within";
-    const degreesOfFreedom = estimator.neesDegreesOfFreedom;
-    const known = degreesOfFreedom > 0 && Number.isFinite(nees);
-    return { ...look, errors, remark: "", consistency: known ? { nees, degreesOfFreedom, verdict } : null };
+    const ratio = nees / estimator.neesDegreesOfFreedom;
+    return { ...look, errors, remark: "", consistency: Number.isFinite(ratio) ? { ratio, verdict } : null };
   });
 }
 
 export function boundReadings(run: Run, step: number): Reading[] {
   return shownBounds(run).map((bound) => {
-    const { short, dash } = boundLook(bound);
     const errors = { angle: bound.orientation[step], position: bound.position[step] };
-    const look = { name: bound.name, label: short, token: "bound", mark: null, dash };
-    return { ...look, errors, remark: bound.label, consistency: null };
+    return { ...boundRow(bound), errors, remark: bound.label, consistency: null };
   });
+}
+
+/** So many standard errors off 1 a mean NEES is not by chance. */
+const SIGNIFICANT = 3;
+
+/** The same rows for many trials: root mean square errors, and the bounds with the same definition. */
+export function studyReadings(
+  study: StudyCurves,
+  step: number,
+): { estimators: Reading[]; bounds: Reading[] } {
+  const errorsOf = ({ angle, position }: { angle: Curve; position: Curve }) => ({
+    angle: angle.value[step],
+    position: position.value[step],
+  });
+  return {
+    estimators: study.estimators.map((estimator) => {
+      const { name, label, nees, failures } = estimator;
+      const [ratio, room] = [nees.value[step], SIGNIFICANT * nees.standardError[step]];
+      const verdict = ratio < 1 - room ? "below" : ratio > 1 + room ? "above" : "within";
+      const remark = failures[step] > 0 ? `stopped in ${failures[step]} of ${study.trials} trials` : "";
+      const consistency = Number.isFinite(ratio) ? ({ ratio, verdict } as const) : null;
+      return { ...estimatorLook(name, label), errors: errorsOf(estimator), remark, consistency };
+    }),
+    bounds: shownOf(study.estimators, study.bounds).map((bound) => ({
+      ...boundRow(bound),
+      errors: errorsOf(bound),
+      remark: bound.label,
+      consistency: null,
+    })),
+  };
+}
+
+function estimatorLook(name: string, label: string) {
+  return { name, label, token: name, mark: MARKS[name] ?? "disc", dash: [] };
+}
+
+function boundRow(bound: { name: string; label: string }) {
+  const { short, dash } = boundLook(bound);
+  return { name: bound.name, label: short, token: "bound", mark: null, dash };
 }

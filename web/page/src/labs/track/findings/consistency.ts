@@ -15,7 +15,7 @@ export function overconfident(running: EstimatorRun[], step: number): Finding | 
   const nees = `${found.length > 1 ? "up to " : ""}${formatReading(worst.nees[step])}`;
   return {
     weight: 70,
-    text: `${joined(found)} ${found.length === 1 ? "is" : "are"} over-confident: NEES ${nees}, where ${formatReading(band(worst)[1])} is rarely passed.`,
+    text: `${named(found, running)} ${found.length === 1 ? "is" : "are"} over-confident: NEES ${nees}, where ${formatReading(band(worst)[1])} is rarely passed.`,
   };
 }
 
@@ -26,8 +26,13 @@ export function cautious(running: EstimatorRun[], step: number): Finding | null 
   const least = Math.min(...found.map((estimator) => estimator.nees[step]));
   return {
     weight: 15,
-    text: `${joined(found)} ${found.length === 1 ? "knows" : "know"} more than claimed: NEES ${found.length > 1 ? "down to " : ""}${formatReading(least)}.`,
+    text: `${named(found, running)} ${found.length === 1 ? "knows" : "know"} more than claimed: NEES ${found.length > 1 ? "down to " : ""}${formatReading(least)}.`,
   };
+}
+
+/** A long list of names says no more than that it is all of them. */
+function named(found: readonly EstimatorRun[], running: readonly EstimatorRun[]): string {
+  return found.length > 2 && found.length === running.length ? "All estimators" : joined(found);
 }
 
 const bands = new Map<number, readonly [number, number]>();
