@@ -1,5 +1,7 @@
 //! Bounds from one epoch alone: the unconstrained Cramér-Rao bound and the one for rotations (UC-CRB).
 
+use core::ops::Range;
+
 use nalgebra::SMatrix;
 
 use super::cause::{Parameters, unobservable};
@@ -13,6 +15,10 @@ use crate::math::tangent::{TangentMatrix, tangent_dimension};
 /// matrix is singular within double precision.
 const MAX_INFLATION: f64 = 1e12;
 
+/// Information about one of several parameters of the same unit, below this part of the largest, is rounding: anchors at
+/// the same height leave a trace of it, which the inflation of that one parameter does not show.
+const MIN_PART: f64 = 1.0 / MAX_INFLATION;
+
 /// The Cramér-Rao bound `F^-1` of all entries of `[Q | t]`, which takes `Q` for any matrix (\[L\] eq. 40).
 ///
 /// Entries of `Q` have no unit, those of `t` are in m.
@@ -24,6 +30,12 @@ pub fn crb<const D: usize>(information: &FisherInformation<D>) -> Result<BlockMa
     let inverse = f.inverse().ok();
     inverse
         .filter(|c| (0..D * (D + 1)).all(|i| carries_digits(f.entry(i, i) * c.entry(i, i))))
+        .filter(|_| {
+            // Along each column of [Q | t] the anchors decide; from column to column of Q the sensors.
+            let column = |j: usize| f.block(j, j).diagonal();
+            (0..=D).all(|j| comparable((0..D).map(|i| column(j)[i])))
+                && comparable((0..D).map(|j| column(j).sum()))
+        })
         .ok_or_else(|| unobservable("the Cramér-Rao bound", information, Parameters::Unconstrained))
 }
 
@@ -44,6 +56,10 @@ pub(super) fn unitary_crb_on<const D: usize>(
     j.inverse()
         .ok()
         .filter(|c| (0..tangent_dimension(D)).all(|i| carries_digits(j.entry(i, i) * c.entry(i, i))))
+        .filter(|_| {
+            let part = |range: Range<usize>| comparable(range.map(|i| j.entry(i, i)));
+            part(0..rotation_angles(D)) && part(rotation_angles(D)..tangent_dimension(D))
+        })
         .ok_or_else(|| unobservable("the unitarily constrained bound", information, Parameters::Pose))
 }
 
@@ -70,6 +86,12 @@ pub fn image<const D: usize>(covariance: &TangentMatrix<D>, rotation: &Rotation<
         }
     }
     result
+}
+
+/// Whether the least of some informations is more than rounding beside the largest.
+fn comparable(mut information: impl Iterator<Item = f64> + Clone) -> bool {
+    let largest = information.clone().fold(0.0, f64::max);
+    information.all(|x| x > MIN_PART * largest)
 }
 
 /// Written so that NaN and negative variances fail too.
