@@ -47,7 +47,9 @@ impl Flat for BoundTally {
     const LENGTH: usize = 3 * Moments::LENGTH;
 
     fn write(&self, to: &mut Vec<f64>) {
-        [self.orientation, self.angle, self.position].iter().for_each(|moments| moments.write(to));
+        for moments in [self.orientation, self.angle, self.position] {
+            moments.write(to);
+        }
     }
 
     fn read(from: &mut Numbers<'_>) -> Self {

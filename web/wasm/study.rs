@@ -14,8 +14,8 @@ use crate::{Named, json};
 
 /// Trials that are summed before their sum is joined to others. A study starts its pieces at multiples of it.
 #[wasm_bindgen]
-pub fn trials_per_block() -> u32 {
-    TRIALS_PER_BLOCK as u32
+pub fn trials_per_block() -> usize {
+    TRIALS_PER_BLOCK
 }
 
 /// The sums over some trials of a scenario (JSON), for [`StudySum::push`]: numbers that mean nothing by themselves.
@@ -23,16 +23,16 @@ pub fn trials_per_block() -> u32 {
 /// # Errors
 /// A sentence where the scenario or the numbers of the trials are bad, or a trial leaves double precision.
 #[wasm_bindgen]
-pub fn study_block(scenario: &str, first_trial: u32, trials: u32) -> Result<Vec<f64>, JsError> {
-    let first = first_trial as usize;
-    if first % TRIALS_PER_BLOCK != 0 {
-        let (value, limit) = (f64::from(first_trial), "a multiple of 20");
+pub fn study_block(scenario: &str, first_trial: usize, trials: usize) -> Result<Vec<f64>, JsError> {
+    if !first_trial.is_multiple_of(TRIALS_PER_BLOCK) {
+        let (value, limit) = (first_trial as f64, "a multiple of 20");
         return Err(Error::Number { what: "the first trial of a block", value, limit }.into());
     }
     let scenario = Scenario::from_json(scenario)?;
-    let study = MonteCarlo::new(&scenario, first + trials as usize)?;
+    MonteCarlo::new(&scenario, trials)?;
+    let study = MonteCarlo::new(&scenario, first_trial.saturating_add(trials))?;
     let mut numbers = Vec::new();
-    for index in first / TRIALS_PER_BLOCK..study.blocks() {
+    for index in first_trial / TRIALS_PER_BLOCK..study.blocks() {
         numbers.extend(study.block(index)?.to_numbers());
     }
     Ok(numbers)
@@ -110,7 +110,7 @@ impl StudySum {
 
     /// Trials in which the estimator had stopped by then: K.
     pub fn failures(&self, estimator: usize) -> Vec<u32> {
-        self.sum.estimator(estimator).map(|step| step.failures as u32).collect()
+        self.sum.estimator(estimator).map(|step| u32::try_from(step.failures).unwrap_or(u32::MAX)).collect()
     }
 
     /// The bounds that exist in some trial: JSON `[{name, label}]`.

@@ -37,7 +37,7 @@ pub fn study(name: &str, trials: usize) -> rangelab::Result<StudyReport> {
     let study = MonteCarlo::new(&scenario, trials)?;
     let mut total = study.start();
     for index in 0..study.blocks() {
-        total.merge(&study.block(index)?);
+        total.merge(&study.block(index)?)?;
     }
     Ok(study.report(&total))
 }
