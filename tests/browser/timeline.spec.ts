@@ -121,7 +121,9 @@ test("an event mark names itself and is gone to when pressed", async ({ page }) 
   await expect(lab.step).toHaveText(String(step));
 });
 
-test("a scrubbed step of 1000 takes less than 50 ms in the median, with all estimators; p95 is printed", async ({ page }) => {
+test("a scrubbed step of 1000 takes less than 50 ms in the median, with all estimators; p95 is printed", async ({
+  page,
+}) => {
   test.setTimeout(120_000);
   const lab = await Lab.open(page);
   for (const box of await page.locator("[aria-label=Estimators] input[type=checkbox]").all())
