@@ -10,7 +10,8 @@ test("axe finds nothing in any state, theme and size", async ({ browser }, info)
   let looked = 0;
   for (const state of STATES)
     for (const size of SIZES) {
-      const page = await browser.newPage({ viewport: size });
+      const context = await browser.newContext({ viewport: size });
+      const page = await context.newPage();
       await enter(await Lab.open(page), state);
       for (const theme of THEMES) {
         await wear(page, theme);
@@ -20,7 +21,7 @@ test("axe finds nothing in any state, theme and size", async ({ browser }, info)
         found.push(...(await violations(page, rules)).map((violation) => `${here}: ${violation}`));
         looked += 1;
       }
-      await page.close();
+      await context.close();
     }
   for (const line of found) console.log(line);
   expect(looked).toBe(STATES.length * SIZES.length * THEMES.length);

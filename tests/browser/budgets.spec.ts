@@ -18,7 +18,14 @@ test("the estimators' module grows no further", ({}, info) => {
   const [file] = readdirSync(`${DIST}/assets`).filter((name) => /^rangelab_wasm_bg-.*\.wasm$/.test(name));
   const bytes = gzipSync(readFileSync(`${DIST}/assets/${file}`), { level: 9 }).length;
   atMost(info, "estimators' module, gzip", bytes / 1000, 150, "kB", false);
-  atMost(info, "estimators' module, gzip, no heavier than it was", bytes / 1000, HEAVIEST_MODULE_KB, "kB", true);
+  atMost(
+    info,
+    "estimators' module, gzip, no heavier than it was",
+    bytes / 1000,
+    HEAVIEST_MODULE_KB,
+    "kB",
+    true,
+  );
 });
 
 for (const encoding of ["gzip", "br"] as Encoding[])
