@@ -51,7 +51,7 @@ impl<const D: usize> Curve<D> {
         Self { cubics, lengths }
     }
 
-    /// Its length, m: that of a polygon with [`SAMPLES`] corners to a cubic.
+    /// Its length, m: that of a polygon with `SAMPLES` corners to a cubic.
     pub fn length(&self) -> f64 {
         self.lengths[self.lengths.len() - 1]
     }
