@@ -45,6 +45,8 @@ test("a link that arrives during a drag opens when the drag ends; each is an edi
   const [start, hash] = [await lab.anchor(2), await changedLink(lab)];
   await page.getByRole("button", { name: "Reset", exact: true }).click();
   await expect.poll(() => lab.anchor(2)).toBe(start);
+  // The address follows an edit a moment later; before that, the link would be no change of it.
+  await expect.poll(() => new URL(page.url()).hash).not.toBe(hash);
   const from = await lab.anchorPixel(3);
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
