@@ -1,4 +1,4 @@
-import { expect, test } from "@playwright/test";
+import { expect, type Page, test } from "@playwright/test";
 import { expectSentence, Health } from "./health";
 import { Lab } from "./lab";
 import { type Draft, goodLink, openChanged } from "./scenario-link";
@@ -6,6 +6,16 @@ import { type Draft, goodLink, openChanged } from "./scenario-link";
 const anchors = (change: (anchors: number[][], draft: Draft) => number[][]) => (draft: Draft) => {
   draft.anchors = change(draft.anchors, draft);
 };
+
+/** A good scene, and then the spoiled one as from a link that somebody sent. */
+async function openSpoiled(page: Page, spoil: (draft: Draft) => void) {
+  const health = new Health(page);
+  const lab = await Lab.open(page);
+  const good = await goodLink(lab);
+  const before = await lab.readout();
+  await openChanged(lab, good, spoil);
+  return { health, lab, good, before };
+}
 
 test.describe("a geometry that says too little is estimated all the same", () => {
   const cases: [string, (draft: Draft) => void][] = [
@@ -34,11 +44,7 @@ test.describe("a geometry that says too little is estimated all the same", () =>
   ];
   for (const [what, spoil] of cases)
     test(what, async ({ page }) => {
-      const health = new Health(page);
-      const lab = await Lab.open(page);
-      const good = await goodLink(lab);
-      const before = await lab.readout();
-      await openChanged(lab, good, spoil);
+      const { health, lab, good, before } = await openSpoiled(page, spoil);
       await expect(lab.status).toContainText("opened from the link");
       await expect(lab.alert).toBeEmpty();
       await expect(lab.status).toHaveText(/ends nearest|No estimator ran|\bis\b/);
@@ -63,11 +69,7 @@ test.describe("what cannot be a scenario is refused in a sentence with its numbe
   ];
   for (const [what, spoil, sentence] of cases)
     test(what, async ({ page }) => {
-      const health = new Health(page);
-      const lab = await Lab.open(page);
-      const good = await goodLink(lab);
-      const before = await lab.readout();
-      await openChanged(lab, good, spoil);
+      const { health, lab, good, before } = await openSpoiled(page, spoil);
       await expectSentence(lab, sentence);
       expect(await lab.readout()).toBe(before);
       await expect.poll(() => new URL(page.url()).hash).toBe(good);
