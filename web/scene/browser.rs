@@ -1,5 +1,7 @@
 //! The scene on a canvas of the page.
 
+mod field;
+
 use std::sync::Arc;
 
 use js_sys::Float32Array;
@@ -16,6 +18,7 @@ use crate::data::{ELLIPSOIDS, Layout, POINTS, SEGMENTS, TRIANGLES};
 use crate::drawing::device::{self, Gpu};
 use crate::drawing::renderer::Renderer;
 use crate::error::SceneError;
+use crate::field::FieldData;
 use crate::view::View;
 
 /// Draws on one canvas until it is freed or the device is lost.
@@ -27,6 +30,7 @@ pub struct Scene {
     size_px: (u32, u32),
     renderer: Renderer,
     incoming: Vec<f32>,
+    incoming_field: FieldData,
     #[expect(dead_code, reason = "kept so that the canvas is listened to as long as the scene lives")]
     context_loss: ContextLoss,
 }
@@ -42,14 +46,23 @@ impl Scene {
         let instance = device::instance();
         let no_surface = |error: wgpu::CreateSurfaceError| SceneError::Device(error.to_string());
         let surface = instance.create_surface(SurfaceTarget::Canvas(canvas.clone())).map_err(no_surface)?;
-        let gpu = Gpu::open(&instance, Some(&surface)).await?;
+        let gpu = Gpu::open(&instance, Some(&surface), cfg!(feature = "webgpu")).await?;
         let capabilities = surface.get_capabilities(&gpu.adapter);
         // The shaders encode sRGB themselves, because canvases of WebGPU cannot.
         let format = capabilities.formats.into_iter().find(|format| !format.is_srgb());
         let format = format.ok_or_else(|| SceneError::Device("the canvas offers no plain format".into()))?;
         let renderer = Renderer::new(&gpu, format).await?;
         let context_loss = ContextLoss::listen(canvas, &gpu)?;
-        Ok(Self { gpu, surface, format, size_px: (0, 0), renderer, incoming: Vec::new(), context_loss })
+        Ok(Self {
+            gpu,
+            surface,
+            format,
+            size_px: (0, 0),
+            renderer,
+            incoming: Vec::new(),
+            incoming_field: FieldData::default(),
+            context_loss,
+        })
     }
 
     /// What draws: `"WebGPU"` or `"WebGL2"`.

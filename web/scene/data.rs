@@ -40,6 +40,16 @@ const fn choice(name: &'static str, high: f32) -> Component {
     Component { name, low: 0.0, high, whole: true }
 }
 
+/// An end of a logarithmic scale, where a graphics card does not take it for zero or infinity.
+const fn scale(name: &'static str) -> Component {
+    Component { name, low: 1e-30, high: 1e30, whole: false }
+}
+
+/// Above zero by however little, to infinity.
+const fn positive(name: &'static str) -> Component {
+    Component { name, low: f32::from_bits(1), high: f32::INFINITY, whole: false }
+}
+
 const RED: Component = fraction("red");
 const GREEN: Component = fraction("green");
 const BLUE: Component = fraction("blue");
@@ -140,6 +150,57 @@ pub const TRIANGLES: Layout = Layout {
     records_per_shape: 3,
 };
 
+/// Numbers of a field, one for each cell of its grid.
+pub const FIELD_VALUES: Layout =
+    Layout { name: "field values", components: &[positive("number")], records_per_shape: 1 };
+
+/// Where a field is, 9 numbers: its corner and the two edges from there, metres.
+pub const FIELD_RECTANGLE: Layout = Layout {
+    name: "field rectangle",
+    components: &[
+        finite("corner x"),
+        finite("corner y"),
+        finite("corner z"),
+        finite("edge u x"),
+        finite("edge u y"),
+        finite("edge u z"),
+        finite("edge v x"),
+        finite("edge v y"),
+        finite("edge v z"),
+    ],
+    records_per_shape: 1,
+};
+
+/// How a field looks, 11 numbers before its [`FIELD_STOPS`].
+///
+/// `low` and `high` are the ends of the scale. Numbers above `worse_than` are hatched (0: none are), places without a
+/// bound get their own colour, cross-hatched.
+pub const FIELD_STYLE: Layout = Layout {
+    name: "field style",
+    components: &[
+        scale("low"),
+        scale("high"),
+        Component { name: "worse_than", low: 0.0, high: 1e30, whole: false },
+        fraction("opacity"),
+        fraction("hatch red"),
+        fraction("hatch green"),
+        fraction("hatch blue"),
+        fraction("no-bound red"),
+        fraction("no-bound green"),
+        fraction("no-bound blue"),
+        Component { name: "count of stops", low: 2.0, high: 16.0, whole: true },
+    ],
+    records_per_shape: 1,
+};
+
+/// The colours along the scale of a field.
+pub const FIELD_STOPS: Layout =
+    Layout { name: "field stops", components: &[RED, GREEN, BLUE], records_per_shape: 1 };
+
+/// What the kernel of a field reads.
+pub const FIELD_PARAMETERS: Layout =
+    Layout { name: "field parameters", components: &[finite("number")], records_per_shape: 1 };
+
 impl Layout {
     /// Numbers in one record.
     pub const fn stride(&self) -> usize {
@@ -205,10 +266,17 @@ impl Component {
 
     fn allowed(&self) -> String {
         let kind = if self.whole { "a whole number" } else { "a number" };
-        if self.high >= f32::MAX {
+        if self.high > f32::MAX {
+            "a positive number".into()
+        } else if self.low < 0.0 {
             "a finite number".into()
         } else {
-            format!("{kind} from {} to {}", self.low, self.high)
+            format!("{kind} from {} to {}", short(self.low), short(self.high))
         }
     }
+}
+
+/// A number without rows of zeros.
+fn short(value: f32) -> String {
+    if value == 0.0 || (1e-4..1e6).contains(&value) { value.to_string() } else { format!("{value:e}") }
 }

@@ -15,6 +15,15 @@ pub enum SceneError {
         /// How many numbers one record has.
         record: usize,
     },
+    /// An array has more or fewer numbers than belong into it.
+    Count {
+        /// Which array.
+        layout: &'static str,
+        /// How many numbers came.
+        length: usize,
+        /// How many it must have.
+        expected: usize,
+    },
     /// More records than one array may have.
     TooMany {
         /// Which array.
@@ -48,6 +57,19 @@ pub enum SceneError {
         /// Largest width or height of the device, pixels.
         limit_px: u32,
     },
+    /// A grid has more columns or rows than the device can hold, or none.
+    Grid {
+        /// Number of columns asked for.
+        width: u32,
+        /// Number of rows asked for.
+        height: u32,
+        /// Most columns or rows of the device.
+        limit: u32,
+    },
+    /// The device refused the kernel of the field, with its own words.
+    Kernel(String),
+    /// The fine grid of the field can be neither computed nor read.
+    FineField(&'static str),
     /// No usable graphics adapter or device.
     Device(String),
     /// The graphics device was lost; the scene has to be created again.
@@ -59,6 +81,9 @@ impl fmt::Display for SceneError {
         match self {
             Self::Length { layout, length, record } => {
                 write!(f, "{layout}: {length} numbers do not make whole records of {record}")
+            }
+            Self::Count { layout, length, expected } => {
+                write!(f, "{layout}: {length} numbers came, but there must be {expected}")
             }
             Self::TooMany { layout, records, limit } => {
                 write!(f, "{layout}: {records} records, but at most {limit} can be drawn")
@@ -72,6 +97,12 @@ impl fmt::Display for SceneError {
                 "a picture of {width_px} x {height_px} pixels is too large: this device draws at most \
                  {limit_px} pixels each way"
             ),
+            Self::Grid { width, height, limit } => write!(
+                f,
+                "a grid of {width} x {height} cells is impossible: this device holds 1 to {limit} cells each way"
+            ),
+            Self::Kernel(reason) => write!(f, "the kernel of the field was refused: {reason}"),
+            Self::FineField(reason) => write!(f, "no fine field: {reason}"),
             Self::Device(reason) => write!(f, "no graphics device: {reason}"),
             Self::Lost => write!(f, "the graphics device was lost"),
         }

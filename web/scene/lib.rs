@@ -1,4 +1,4 @@
-//! Draws plain data with wgpu: segments, points, ellipsoids and triangles, seen through a matrix.
+//! Draws plain data with wgpu: segments, points, ellipsoids, triangles and a field of numbers, seen through a matrix.
 //!
 //! It knows nothing of estimators nor of how a camera moves. For the page it is built twice (features `webgpu` and
 //! `webgl`) and draws on a canvas through the class `Scene`; natively (feature `native`) `Offscreen` draws into memory.
@@ -7,6 +7,7 @@
 pub mod dash;
 pub mod data;
 mod error;
+pub mod field;
 mod view;
 
 pub use error::SceneError;

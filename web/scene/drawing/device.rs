@@ -64,8 +64,12 @@ pub(crate) struct Gpu {
 }
 
 impl Gpu {
-    /// Opens the adapter that can draw on `surface` (any adapter without one).
-    pub(crate) async fn open(instance: &Instance, surface: Option<&Surface<'_>>) -> Result<Self, SceneError> {
+    /// Opens the adapter that can draw on `surface` (any adapter without one), with what it has for `compute` if asked.
+    pub(crate) async fn open(
+        instance: &Instance,
+        surface: Option<&Surface<'_>>,
+        compute: bool,
+    ) -> Result<Self, SceneError> {
         let options = RequestAdapterOptions {
             power_preference: PowerPreference::None,
             force_fallback_adapter: false,
@@ -76,8 +80,7 @@ impl Gpu {
         let adapter = instance.request_adapter(&options).await.map_err(|error| no_device(&error))?;
         let descriptor = DeviceDescriptor {
             label: Some("scene"),
-            // The scene needs no more than WebGL 2 offers, except pictures as large as the adapter can draw.
-            required_limits: Limits::downlevel_webgl2_defaults().using_resolution(adapter.limits()),
+            required_limits: limits(&adapter.limits(), compute),
             memory_hints: MemoryHints::MemoryUsage,
             ..DeviceDescriptor::default()
         };
@@ -87,5 +90,26 @@ impl Gpu {
         device.set_device_lost_callback(move |_, _| on_lost.set_lost());
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| on_error.report(error.to_string())));
         Ok(Self { adapter, device, queue, health })
+    }
+}
+
+/// Drawing needs no more than WebGL 2 offers, except pictures as large as the adapter can draw; computing takes what there
+/// is.
+fn limits(adapter: &Limits, compute: bool) -> Limits {
+    let drawing = Limits::downlevel_webgl2_defaults().using_resolution(adapter.clone());
+    if !compute {
+        return drawing;
+    }
+    Limits {
+        max_storage_buffers_per_shader_stage: adapter.max_storage_buffers_per_shader_stage,
+        max_storage_textures_per_shader_stage: adapter.max_storage_textures_per_shader_stage,
+        max_storage_buffer_binding_size: adapter.max_storage_buffer_binding_size,
+        max_compute_workgroup_storage_size: adapter.max_compute_workgroup_storage_size,
+        max_compute_invocations_per_workgroup: adapter.max_compute_invocations_per_workgroup,
+        max_compute_workgroup_size_x: adapter.max_compute_workgroup_size_x,
+        max_compute_workgroup_size_y: adapter.max_compute_workgroup_size_y,
+        max_compute_workgroup_size_z: adapter.max_compute_workgroup_size_z,
+        max_compute_workgroups_per_dimension: adapter.max_compute_workgroups_per_dimension,
+        ..drawing
     }
 }

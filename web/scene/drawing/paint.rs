@@ -1,4 +1,4 @@
-//! The order of drawing: solids, then what shines through, then annotations over them.
+//! The order of drawing: the field under everything, solids, then what shines through, then annotations over them.
 //!
 //! What is empty is not drawn: browsers warn of draws without vertices.
 //!
@@ -12,11 +12,19 @@ use crate::data::SEGMENTS;
 
 /// Draws all layers into a pass whose view is bound.
 pub(crate) fn everything(pass: &mut RenderPass, scene: &Renderer) {
+    field(pass, scene);
     triangles(pass, scene);
     ellipsoids(pass, scene);
     segments(pass, scene, 0, scene.segments.normal);
     points(pass, scene);
     segments(pass, scene, scene.segments.normal, scene.segments.total);
+}
+
+fn field(pass: &mut RenderPass, scene: &Renderer) {
+    let Some(group) = scene.field.group() else { return };
+    pass.set_pipeline(&scene.pipelines.field);
+    pass.set_bind_group(1, &group, &[]);
+    pass.draw(0..6, 0..1);
 }
 
 fn triangles(pass: &mut RenderPass, scene: &Renderer) {

@@ -5,8 +5,8 @@ use wgpu::{
     BufferBindingType, ColorTargetState, ColorWrites, CompareFunction, DepthStencilState, Device,
     FragmentState, MultisampleState, PipelineLayout, PipelineLayoutDescriptor, PrimitiveState,
     RenderPipeline, RenderPipelineDescriptor, ShaderModule, ShaderModuleDescriptor, ShaderSource,
-    ShaderStages, TextureFormat, VertexAttribute, VertexBufferLayout, VertexState, VertexStepMode,
-    vertex_attr_array,
+    ShaderStages, TextureFormat, TextureSampleType, TextureViewDimension, VertexAttribute,
+    VertexBufferLayout, VertexState, VertexStepMode, vertex_attr_array,
 };
 
 use crate::data::{ELLIPSOIDS, POINTS, SEGMENTS, TRIANGLES};
@@ -17,6 +17,8 @@ pub(crate) const DEPTH_FORMAT: TextureFormat = TextureFormat::Depth24Plus;
 /// Everything that can be drawn.
 pub(crate) struct Pipelines {
     pub(crate) view_layout: BindGroupLayout,
+    pub(crate) field_layout: BindGroupLayout,
+    pub(crate) field: RenderPipeline,
     pub(crate) opaque_triangles: RenderPipeline,
     pub(crate) translucent_triangles: RenderPipeline,
     pub(crate) ellipsoids: RenderPipeline,
@@ -72,35 +74,64 @@ impl Pipelines {
     /// Compiles all pipelines for pictures of this format.
     pub(crate) fn new(device: &Device, format: TextureFormat, sample_count: u32) -> Self {
         let view_layout = view_layout(device);
-        let layout = device.create_pipeline_layout(&PipelineLayoutDescriptor {
-            label: Some("scene"),
-            bind_group_layouts: &[Some(&view_layout)],
-            immediate_size: 0,
-        });
+        let field_layout = field_layout(device);
+        let layout = pipeline_layout(device, &[Some(&view_layout)]);
         let maker = Maker { device, layout, format, sample_count };
         let [opaque_triangles, translucent_triangles] = maker.triangles();
         let (ellipsoids, segments, points) = (maker.ellipsoids(), maker.segments(), maker.points());
-        Self { view_layout, opaque_triangles, translucent_triangles, ellipsoids, segments, points }
+        let layout = pipeline_layout(device, &[Some(&view_layout), Some(&field_layout)]);
+        let field = Maker { layout, ..maker }.field();
+        Self {
+            view_layout,
+            field_layout,
+            field,
+            opaque_triangles,
+            translucent_triangles,
+            ellipsoids,
+            segments,
+            points,
+        }
     }
 }
 
-fn view_layout(device: &Device) -> BindGroupLayout {
-    device.create_bind_group_layout(&BindGroupLayoutDescriptor {
-        label: Some("view"),
-        entries: &[BindGroupLayoutEntry {
-            binding: 0,
-            visibility: ShaderStages::VERTEX_FRAGMENT,
-            ty: BindingType::Buffer {
-                ty: BufferBindingType::Uniform,
-                has_dynamic_offset: false,
-                min_binding_size: None,
-            },
-            count: None,
-        }],
+fn pipeline_layout(device: &Device, groups: &[Option<&BindGroupLayout>]) -> PipelineLayout {
+    device.create_pipeline_layout(&PipelineLayoutDescriptor {
+        label: Some("scene"),
+        bind_group_layouts: groups,
+        immediate_size: 0,
     })
 }
 
+const UNIFORM: BindingType =
+    BindingType::Buffer { ty: BufferBindingType::Uniform, has_dynamic_offset: false, min_binding_size: None };
+
+/// A grid of numbers that shaders load without filtering, which not every device can do.
+const GRID: BindingType = BindingType::Texture {
+    sample_type: TextureSampleType::Float { filterable: false },
+    view_dimension: TextureViewDimension::D2,
+    multisampled: false,
+};
+
+fn entry(binding: u32, ty: BindingType) -> BindGroupLayoutEntry {
+    BindGroupLayoutEntry { binding, visibility: ShaderStages::VERTEX_FRAGMENT, ty, count: None }
+}
+
+fn view_layout(device: &Device) -> BindGroupLayout {
+    let entries = &[entry(0, UNIFORM)];
+    device.create_bind_group_layout(&BindGroupLayoutDescriptor { label: Some("view"), entries })
+}
+
+fn field_layout(device: &Device) -> BindGroupLayout {
+    let entries = &[entry(0, UNIFORM), entry(1, GRID), entry(2, GRID)];
+    device.create_bind_group_layout(&BindGroupLayoutDescriptor { label: Some("field"), entries })
+}
+
 impl Maker<'_> {
+    fn field(&self) -> RenderPipeline {
+        let module = &self.module(shader!("field.wgsl"));
+        self.pipeline(&Kind { name: "field", module, buffers: &[], hides_what_is_behind: false })
+    }
+
     fn triangles(&self) -> [RenderPipeline; 2] {
         let module = self.module(shader!("triangles.wgsl"));
         let buffers = [buffer(TRIANGLES.stride(), VertexStepMode::Vertex, &TRIANGLE)];

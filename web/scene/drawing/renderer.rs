@@ -10,6 +10,7 @@ use wgpu::{
 };
 
 use super::device::{Gpu, Health};
+use super::field::Field;
 use super::layers::{Plain, Segments, Sphere, Triangles};
 use super::paint;
 use super::pipelines::Pipelines;
@@ -31,6 +32,7 @@ pub(crate) struct Renderer {
     background: [f32; 3],
     targets: Option<Targets>,
     pub(crate) sphere: Sphere,
+    pub(crate) field: Field,
     pub(crate) triangles: Triangles,
     pub(crate) ellipsoids: Plain,
     pub(crate) segments: Segments,
@@ -50,6 +52,7 @@ impl Renderer {
         let pipelines = Pipelines::new(&device, format, sample_count);
         let (uniform, view_group) = view_binding(&device, &pipelines);
         let sphere = Sphere::new(&device, &gpu.queue);
+        let field = Field::new(gpu, &pipelines.field_layout);
         if let Some(error) = scope.pop().await {
             return Err(SceneError::Device(error.to_string()));
         }
@@ -66,6 +69,7 @@ impl Renderer {
             background: [1.0; 3],
             targets: None,
             sphere,
+            field,
             triangles: Triangles::new(),
             ellipsoids: Plain::ellipsoids(),
             segments: Segments::new(),
