@@ -6,8 +6,11 @@ mod support;
 
 use glam::{Mat4, Vec3};
 use rangelab_scene::data::{ELLIPSOIDS, Layout, MAX_RECORDS, POINTS, SEGMENTS, TRIANGLES};
+use rangelab_scene::field::FieldData;
 use rangelab_scene::{SceneError, View, dash};
-use support::{RED, dashed, ellipsoid, perspective_matrix, plan_matrix, point, rectangle, segment, view};
+use support::{
+    RED, dashed, ellipsoid, field, perspective_matrix, plan_matrix, point, rectangle, segment, view,
+};
 
 fn good() -> [(&'static Layout, Vec<f32>); 4] {
     let axes = [[1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0; 3]];
@@ -103,6 +106,72 @@ fn splitting_keeps_the_order_within_both_groups() {
     let first = POINTS.split(&shapes, &mut sorted, |record| record[8] == 0.0);
     let order: Vec<f32> = sorted[1..].chunks(9).map(|record| record[0]).collect();
     assert_eq!((first, sorted[0], order), (2, 7.0, vec![0.0, 0.0, 1.0, 2.0, 5.0]));
+}
+
+/// A field of 3 x 2 cells with one array spoiled, and the words that refuse it.
+fn refusal(spoil: impl Fn(&mut FieldData)) -> String {
+    let mut spoiled = field(&[0.1; 6], [3, 2], 0.5);
+    assert_eq!(spoiled.check(), Ok(()));
+    spoil(&mut spoiled);
+    spoiled.check().expect_err("a spoiled field").to_string()
+}
+
+#[test]
+fn fields_of_the_wrong_lengths_are_refused() {
+    let count =
+        |what, length, expected| format!("field {what}: {length} numbers came, but there must be {expected}");
+    assert_eq!(refusal(|field| field.values.truncate(5)), count("values", 5, 6));
+    assert_eq!(refusal(|field| field.height = 3), count("values", 6, 9));
+    assert_eq!(refusal(|field| field.rectangle.truncate(8)), count("rectangle", 8, 9));
+    assert_eq!(refusal(|field| field.rectangle.extend([0.0; 9])), count("rectangle", 18, 9));
+    assert_eq!(refusal(|field| field.style.truncate(10)), count("style", 10, 17));
+    assert_eq!(refusal(|field| field.style.truncate(19)), count("style", 19, 20));
+    assert_eq!(refusal(|field| field.style[10] = 4.0), count("style", 20, 23));
+    assert_eq!(
+        refusal(|field| (field.width, field.height) = (u32::MAX, u32::MAX)),
+        count("values", 6, (u32::MAX as usize).saturating_mul(u32::MAX as usize))
+    );
+}
+
+#[test]
+fn numbers_that_no_field_can_show_are_refused() {
+    for bad in [f32::NAN, -0.1, 0.0, -f32::INFINITY] {
+        let words = format!("field values: record 4 has number = {bad}, but it must be a positive number");
+        assert_eq!(refusal(|field| field.values[4] = bad), words);
+    }
+    for (at, name) in [(0, "corner x"), (5, "edge u z"), (6, "edge v x")] {
+        let words = format!("field rectangle: record 0 has {name} = NaN, but it must be a finite number");
+        assert_eq!(refusal(|field| field.rectangle[at] = f32::NAN), words);
+    }
+    let style = [
+        (0, 0.0, "low = 0, but it must be a number from 0.000000001 to 1000000000"),
+        (1, 0.01, "high = 0.01, but it must be a number above low = 0.01"),
+        (2, -1.0, "worse_than = -1, but it must be a number from 0 to 1000000000"),
+        (3, 1.5, "opacity = 1.5, but it must be a number from 0 to 1"),
+        (6, f32::NAN, "hatch blue = NaN, but it must be a number from 0 to 1"),
+        (8, 255.0, "no-bound green = 255, but it must be a number from 0 to 1"),
+        (10, 17.0, "count of stops = 17, but it must be a whole number from 2 to 16"),
+        (10, 1.0, "count of stops = 1, but it must be a whole number from 2 to 16"),
+        (10, 2.5, "count of stops = 2.5, but it must be a whole number from 2 to 16"),
+    ];
+    for (at, bad, words) in style {
+        assert_eq!(refusal(|field| field.style[at] = bad), format!("field style: record 0 has {words}"));
+    }
+    let words = "field stops: record 2 has blue = -0.5, but it must be a number from 0 to 1";
+    assert_eq!(refusal(|field| field.style[19] = -0.5), words);
+}
+
+#[test]
+fn fields_may_be_absent_unbounded_and_of_many_colours() {
+    assert_eq!(FieldData::default().check(), Ok(()));
+    assert_eq!(FieldData { width: 0, ..field(&[f32::NAN], [1, 1], 0.0) }.check(), Ok(()));
+    assert_eq!(field(&[1e30, f32::MAX, f32::INFINITY, f32::from_bits(1)], [2, 2], 0.0).check(), Ok(()));
+    let mut colourful = field(&[1.0], [1, 1], 0.0);
+    colourful.style[10] = 16.0;
+    colourful.style.extend([0.25; 39]);
+    assert_eq!(colourful.check(), Ok(()));
+    let uniform = colourful.uniform();
+    assert_eq!((uniform[19], uniform[24], uniform[84..87].to_vec()), (16.0, 1.0, vec![0.25; 3]));
 }
 
 #[test]

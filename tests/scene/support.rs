@@ -4,6 +4,7 @@
 use glam::camera::rh::{proj::directx, view::look_at_mat4};
 use glam::{Mat4, Vec3};
 use rangelab_scene::View;
+use rangelab_scene::field::FieldData;
 
 pub const WIDTH_PX: u32 = 200;
 pub const HEIGHT_PX: u32 = 160;
@@ -95,3 +96,21 @@ impl Picture {
 pub const WHITE_RGB: [u8; 3] = [255; 3];
 pub const RED_RGB: [u8; 3] = [255, 0, 0];
 pub const BLUE_RGB: [u8; 3] = [0, 0, 255];
+
+/// Red at 0.01, green at 0.1, blue at 1 on the logarithmic scale of [`field`].
+pub const FIELD_COLOURS: [f32; 9] = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
+pub const GREEN_RGB: [u8; 3] = [0, 255, 0];
+/// The colour of [`field`] where there is no bound.
+pub const GREY_RGB: [u8; 3] = [128; 3];
+
+/// A field over -6..6 and -3..5 m of the floor, from 0.01 to 1, hatched black above `worse_than`.
+pub fn field(values: &[f32], [width, height]: [u32; 2], worse_than: f32) -> FieldData {
+    let grey = [128.0 / 255.0; 3];
+    FieldData {
+        values: values.to_vec(),
+        width,
+        height,
+        rectangle: vec![-6.0, -3.0, 0.0, 12.0, 0.0, 0.0, 0.0, 8.0, 0.0],
+        style: [&[0.01, 1.0, worse_than, 1.0], &[0.0; 3][..], &grey, &[3.0], &FIELD_COLOURS].concat(),
+    }
+}

@@ -40,9 +40,9 @@ const fn choice(name: &'static str, high: f32) -> Component {
     Component { name, low: 0.0, high, whole: true }
 }
 
-/// An end of a logarithmic scale, where a graphics card does not take it for zero or infinity.
+/// An end of a logarithmic scale.
 const fn scale(name: &'static str) -> Component {
-    Component { name, low: 1e-30, high: 1e30, whole: false }
+    Component { name, low: 1e-9, high: 1e9, whole: false }
 }
 
 /// Above zero by however little, to infinity.
@@ -180,7 +180,7 @@ pub const FIELD_STYLE: Layout = Layout {
     components: &[
         scale("low"),
         scale("high"),
-        Component { name: "worse_than", low: 0.0, high: 1e30, whole: false },
+        Component { name: "worse_than", low: 0.0, high: 1e9, whole: false },
         fraction("opacity"),
         fraction("hatch red"),
         fraction("hatch green"),
@@ -271,12 +271,7 @@ impl Component {
         } else if self.low < 0.0 {
             "a finite number".into()
         } else {
-            format!("{kind} from {} to {}", short(self.low), short(self.high))
+            format!("{kind} from {} to {}", self.low, self.high)
         }
     }
-}
-
-/// A number without rows of zeros.
-fn short(value: f32) -> String {
-    if value == 0.0 || (1e-4..1e6).contains(&value) { value.to_string() } else { format!("{value:e}") }
 }

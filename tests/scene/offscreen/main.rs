@@ -1,5 +1,7 @@
 //! Pictures drawn offscreen on whatever Vulkan device there is (Mesa's lavapipe will do), read pixel by pixel.
 
+mod field;
+mod fine_field;
 mod lines;
 mod shapes;
 #[path = "../support.rs"]
@@ -17,7 +19,9 @@ fn renderer() -> MutexGuard<'static, Offscreen> {
         let renderer = Offscreen::new(WIDTH_PX, HEIGHT_PX);
         Mutex::new(renderer.expect("a Vulkan device; Debian has one in mesa-vulkan-drivers"))
     });
-    RENDERER.lock().unwrap_or_else(PoisonError::into_inner)
+    let mut renderer = RENDERER.lock().unwrap_or_else(PoisonError::into_inner);
+    renderer.drop_fine_field();
+    renderer
 }
 
 /// Nothing yet, on white.

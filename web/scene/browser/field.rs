@@ -2,6 +2,8 @@
 //!
 //! What takes time returns a promise and borrows nothing, so that the scene can be drawn meanwhile.
 
+use std::pin::Pin;
+
 use js_sys::{Float32Array, Promise};
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsError, JsValue};
@@ -72,16 +74,20 @@ impl Scene {
     }
 }
 
-/// Work that was submitted or refused, as a promise.
+type Pending = Pin<Box<dyn Future<Output = Result<JsValue, SceneError>>>>;
+
+/// Work that was submitted, or why not, as a promise of what `value` makes of its result.
 fn promise<T: 'static>(
     submitted: Result<impl Future<Output = Result<T, SceneError>> + 'static, SceneError>,
     value: impl FnOnce(T) -> JsValue + 'static,
 ) -> Promise {
+    // Boxed, so that the module carries the machinery of promises once.
+    let pending: Result<Pending, SceneError> = match submitted {
+        Ok(future) => Ok(Box::pin(async move { future.await.map(value) })),
+        Err(error) => Err(error),
+    };
     future_to_promise(async move {
-        let result = match submitted {
-            Ok(future) => future.await,
-            Err(error) => Err(error),
-        };
-        result.map(value).map_err(|error| JsError::from(error).into())
+        let finished = async { pending?.await };
+        finished.await.map_err(|error| JsError::from(error).into())
     })
 }
