@@ -7,6 +7,7 @@ use std::io::BufWriter;
 
 use glam::camera::rh::{proj::directx::perspective, view::look_at_mat4};
 use glam::{Vec2, Vec3};
+use rangelab_scene::field::{FieldData, UNBOUNDED};
 use rangelab_scene::{Offscreen, SceneData, View};
 
 const WIDTH_PX: u32 = 1200;
@@ -54,20 +55,26 @@ fn segment(
     data.segments.push(overlay);
 }
 
-/// A grid, and a translucent unshaded field that colours part of it.
+/// A grid, and a field on part of it: hatched where it is worst, and with a corner that has no bound.
 fn floor(data: &mut SceneData) {
     for i in -5..=5_i8 {
         let at = f32::from(i);
         segment(data, [Vec3::new(at, -5.0, 0.0), Vec3::new(at, 5.0, 0.0)], [1.0, 0.0], GREY, 0.0);
         segment(data, [Vec3::new(-5.0, at, 0.0), Vec3::new(5.0, at, 0.0)], [1.0, 0.0], GREY, 0.0);
     }
-    for (i, j) in (-4..0_i8).flat_map(|i| (-4..0_i8).map(move |j| (i, j))) {
-        let (x, y) = (f32::from(i), f32::from(j));
-        for (dx, dy) in [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (0.0, 1.0), (1.0, 0.0), (1.0, 1.0)] {
-            let level = (-(x + dx) - (y + dy)) / 8.0;
-            data.triangles.extend([x + dx, y + dy, 0.0, 0.0, 0.0, 0.0, level, 0.3, 1.0 - level, 0.55]);
-        }
-    }
+    let stops = [[0.99, 0.91, 0.15], [0.13, 0.57, 0.55], [0.27, 0.0, 0.33]];
+    let style = [0.05, 5.0, 2.0, 0.7, 0.1, 0.1, 0.12, 0.6, 0.6, 0.6, 3.0];
+    let value = |i: u8, j: u8| {
+        let far = (Vec2::new(f32::from(i), f32::from(j)) - 14.0).length_squared();
+        if i + j < 4 { UNBOUNDED } else { 0.05 + 0.01 * far }
+    };
+    data.field = FieldData {
+        values: (0..16).flat_map(|j| (0..16).map(move |i| value(i, j))).collect(),
+        width: 16,
+        height: 16,
+        rectangle: vec![-5.0, -5.0, 0.0, 5.0, 0.0, 0.0, 0.0, 5.0, 0.0],
+        style: [&style, stops.as_flattened()].concat(),
+    };
 }
 
 /// A shaded cube with its edges.
