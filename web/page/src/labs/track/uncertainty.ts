@@ -4,7 +4,7 @@ import type { Color, DrawList } from "../../scene/draw-list";
 import { ellipsoidAxes } from "../../scene/ellipsoid";
 import { add, length, normalize, scale, sub, type Vec3 } from "../../scene/geometry";
 import type { Layer, SceneInput } from "../../scene/input";
-import { axesOf, axisLength, drawnPosition } from "./drawn";
+import { axesOf, axisLength, drawnPosition } from "../../rigid-body/drawn";
 import { shownBounds } from "./plots";
 
 /** The 95 % ellipsoids of the position: what each estimator claims, and the bound as a full one. */
