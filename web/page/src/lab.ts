@@ -39,6 +39,8 @@ export interface Lab<R extends LabRun = LabRun> {
   readonly title: string;
   /** Labs stand in the header in this order; the first opens where a scenario names none. */
   readonly order: number;
+  /** Labs of one family can show each other's scenes: going from one to another keeps the scene. */
+  readonly family?: string;
   presets(): readonly Preset[];
   preset(name: string): Scenario;
   /** What opens without a link. */

@@ -20,6 +20,7 @@ export const lab: Lab<Run> = {
   name: "track",
   title: "Track",
   order: 1,
+  family: "rigid body",
   presets,
   preset,
   firstPreset: "room",
