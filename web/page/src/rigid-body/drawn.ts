@@ -60,3 +60,8 @@ export function pathOf(run: LabRun, track: PoseTrack, magnification: number): Fl
   paths.set(track, { magnification, points });
   return points;
 }
+
+/** Distance of the farthest sensor from the body's origin, m. */
+export function bodyRadius({ sensors }: Scenario): number {
+  return Math.max(...sensors.map((sensor) => Math.hypot(...sensor)));
+}
