@@ -20,7 +20,12 @@ export function drawEllipsoid(
 }
 
 /** The 95 % fans of a bound around the true axes, as filled cones. */
-export function drawBoundFans(input: SceneInput, run: LabRun, covariances: Float64Array, out: DrawList): void {
+export function drawBoundFans(
+  input: SceneInput,
+  run: LabRun,
+  covariances: Float64Array,
+  out: DrawList,
+): void {
   const { palette } = input;
   const look = { width: 1.75, color: palette.rgba("bound"), dash: 4 };
   for (const { centre, ring } of fansOf(input, run, run.truth, covariances)) {

@@ -5,13 +5,15 @@ import { drawBoundFans, drawEllipsoid } from "../../rigid-body/uncertainty";
 import { matrixAt } from "../../run";
 import { add, lift, scale, sub, transform, type Vec3 } from "../../scene/geometry";
 import type { Layer, SceneInput } from "../../scene/input";
+import { fields } from "./fields";
 import { type Motion, motionOf, turned } from "./motion";
-import { probe } from "./probe.svelte";
+import { boundsAt, pointUnder } from "./probe.svelte";
 
 /** A line for each range: dashed where the anchor is too far away or does not see the sensor. */
 export const ranges: Layer<ExploreRun> = (input, out) => {
   const { run } = input;
-  if (run) drawRanges(input, run, (anchor, sensor) => run.exploration.available[anchor]?.[sensor] ?? true, out);
+  if (run)
+    drawRanges(input, run, (anchor, sensor) => run.exploration.available[anchor]?.[sensor] ?? true, out);
 };
 
 export const body: Layer<ExploreRun> = (input, out) => {
@@ -26,8 +28,7 @@ export const bounds: Layer<ExploreRun> = (input, out) => {
   const centre = drawnPosition(run, run.truth, 0, frame.magnification);
   if (position && uncertainty.position)
     drawEllipsoid(input, centre, Float64Array.from(position.flat()), palette.rgba("bound", 0.22), out);
-  if (rotation && uncertainty.orientation)
-    drawBoundFans(input, run, Float64Array.from(rotation.flat()), out);
+  if (rotation && uncertainty.orientation) drawBoundFans(input, run, Float64Array.from(rotation.flat()), out);
 };
 
 /** How the motion that is seen least is drawn; null where there is none. */
@@ -75,15 +76,21 @@ export const twin: Layer<ExploreRun> = (input, out) => {
   for (const sensor of drawn) out.point(sensor, 3, palette.rgba("warning"), "ring");
 };
 
-/** Where the field is read, and the ellipsoid of the position there. */
+/** Where the field is read by the pointer, and the ellipsoid of the position there. */
 export const reading: Layer<ExploreRun> = (input, out) => {
-  const { palette, uncertainty } = input;
-  const { point, told } = probe.reading(input);
+  const { scenario, palette, uncertainty } = input;
+  const point = pointUnder(input.ray, fields.field, scenario.dimension);
   if (!point) return;
   out.point(lift(point), 6, palette.rgba("accent"), "cross");
-  const covariance = told?.position_covariance;
+  const covariance = boundsAt(scenario, point)?.position_covariance;
   if (covariance && uncertainty.position)
-    drawEllipsoid(input, lift(point), Float64Array.from(covariance.flat()), palette.rgba("accent", 0.25), out);
+    drawEllipsoid(
+      input,
+      lift(point),
+      Float64Array.from(covariance.flat()),
+      palette.rgba("accent", 0.25),
+      out,
+    );
 };
 
 type Out = Parameters<Layer>[1];

@@ -40,7 +40,11 @@ export function facesOf(obstacle: Obstacle, frame: Pick<Frame, "flat" | "ground"
     const next = corners[(index + 1) % 4];
     return [at(corner, low[2]), at(next, low[2]), at(next, high[2]), at(corner, high[2])];
   });
-  return [...sides, corners.map((corner) => at(corner, low[2])), corners.map((corner) => at(corner, high[2]))];
+  return [
+    ...sides,
+    corners.map((corner) => at(corner, low[2])),
+    corners.map((corner) => at(corner, high[2])),
+  ];
 }
 
 function at(point: readonly number[], z: number): Vec3 {
