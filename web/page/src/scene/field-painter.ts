@@ -9,8 +9,6 @@ export const FIELD_BLOCK = 2;
 /** Colours along the scale, and kinds of hatching from none to full. */
 const RAMP = 256;
 const HATCHED = 4;
-/** In place of a place on the scale. */
-const NO_BOUND = 1e6;
 
 /** Blocks of colour to be drawn with the picture's opacity: the upper left one has its corner at (left, top) blocks. */
 export interface PaintedField {
@@ -32,11 +30,9 @@ export class FieldPainter {
 
   constructor({ picture, colours }: ColouredField) {
     this.#picture = picture;
-    this.#places = picture.values.map((value) =>
-      value >= UNBOUNDED ? NO_BOUND : placeOnScale(value, picture) * (RAMP - 1),
-    );
+    this.#places = paddedPlaces(picture);
     this.#worse =
-      picture.worseThan === null ? NO_BOUND : placeOnScale(picture.worseThan, picture) * (RAMP - 1);
+      picture.worseThan === null ? Infinity : placeOnScale(picture.worseThan, picture) * (RAMP - 1);
     this.#ramp = rampOf(colours);
     this.#noBound = Uint32Array.from({ length: HATCHED + 1 }, (_, i) =>
       packed(mix(colours.noBound, colours.hatch, i / HATCHED)),
@@ -68,7 +64,7 @@ export class FieldPainter {
   /** The hatching moves with the middle of the rectangle, from which (x, y) are CSS pixels. */
   #colour(s: number, t: number, x: number, y: number): number {
     const place = this.#placeAt(s, t);
-    if (place >= NO_BOUND) return this.#noBound[Math.max(lines(x + y), lines(x - y))];
+    if (Number.isNaN(place)) return this.#noBound[Math.max(lines(x + y), lines(x - y))];
     const index = place <= 0 ? 0 : place >= RAMP - 1 ? RAMP - 1 : (place + 0.5) | 0;
     return this.#ramp[(place > this.#worse ? lines(x + y) : 0) * RAMP + index];
   }
@@ -77,19 +73,34 @@ export class FieldPainter {
   #placeAt(s: number, t: number): number {
     const places = this.#places;
     const { width, height } = this.#picture;
-    const x = Math.min(width - 1, Math.max(0, s * width - 0.5));
-    const y = Math.min(height - 1, Math.max(0, t * height - 0.5));
-    const [column, row] = [x | 0, y | 0];
-    const [p, q] = [x - column, y - row];
-    const at = row * width + column;
-    const right = column + 1 < width ? 1 : 0;
-    const below = row + 1 < height ? width : 0;
-    const [a, b, c, d] = [places[at], places[at + right], places[at + below], places[at + below + right]];
-    if (a >= NO_BOUND || b >= NO_BOUND || c >= NO_BOUND || d >= NO_BOUND)
-      return places[at + (p >= 0.5 ? right : 0) + (q >= 0.5 ? below : 0)];
-    const upper = a + (b - a) * p;
-    return upper + (c + (d - c) * p - upper) * q;
+    const x = s * width + 0.5;
+    const y = t * height + 0.5;
+    const column = x | 0;
+    const row = y | 0;
+    const at = row * (width + 2) + column;
+    const below = at + width + 2;
+    const p = x - column;
+    const q = y - row;
+    const upper = places[at] + (places[at + 1] - places[at]) * p;
+    const lower = places[below] + (places[below + 1] - places[below]) * p;
+    const place = upper + (lower - upper) * q;
+    return Number.isNaN(place) ? places[(q < 0.5 ? at : below) + (p < 0.5 ? 0 : 1)] : place;
   }
+}
+
+/** Places of the numbers on the ramp, not a number where no bound exists, with the cells on the edges once more around. */
+function paddedPlaces(picture: FieldPicture): Float32Array {
+  const { values, width, height } = picture;
+  const places = values.map((value) => (value < UNBOUNDED ? placeOnScale(value, picture) * (RAMP - 1) : NaN));
+  const padded = new Float32Array((width + 2) * (height + 2));
+  for (let row = 0; row < height + 2; row++) {
+    const from = Math.min(height - 1, Math.max(0, row - 1)) * width;
+    const to = row * (width + 2);
+    padded.set(places.subarray(from, from + width), to + 1);
+    padded[to] = places[from];
+    padded[to + width + 1] = places[from + width - 1];
+  }
+  return padded;
 }
 
 /** How much of a block is covered by lines of 1.5 pixels, 10 pixels apart, in 0..HATCHED. */
