@@ -56,7 +56,8 @@ export interface Lab<R extends LabRun = LabRun> {
   note(input: SceneInput<R>): string;
   /** What the scene shows, a sentence a thing, for those who do not see it; anchors and the true body are told already. */
   told(input: SceneInput<R>): readonly string[];
-  plots(scenario: Scenario, run: R): PlotSpec[];
+  /** A lab without it has no pane of plots. */
+  plots?(scenario: Scenario, run: R): PlotSpec[];
   /** The same plots of the averages over many trials; a lab without it has no such view. */
   studyPlots?(times: Float64Array, study: StudyCurves): PlotSpec[];
   marks(run: R): readonly TimelineMarks[];

@@ -5,7 +5,6 @@ import { type FieldPicture, UNBOUNDED } from "../../scene/field";
 import { lift, niceBelow } from "../../scene/geometry";
 import type { SceneInput } from "../../scene/input";
 import { browserIdle, type Field, FieldStore } from "./field-store.svelte";
-import type { ExploreRun } from "./run";
 
 /** The field of the scenario that is shown. */
 export const fields = new FieldStore({ layout: fieldLayout, rows: fieldRows }, browserIdle);
@@ -13,7 +12,10 @@ export const fields = new FieldStore({ layout: fieldLayout, rows: fieldRows }, b
 const pictures = new WeakMap<Field, FieldPicture>();
 
 /** The field as the scene draws it: the same object for the same field. */
-export function picture({ scenario, palette }: SceneInput<ExploreRun>): FieldPicture | null {
+export function picture({
+  scenario,
+  palette,
+}: Pick<SceneInput, "scenario" | "palette">): FieldPicture | null {
   const { field } = fields;
   if (field === null) return null;
   const opacity = Number(palette.css("field-opacity"));
@@ -27,9 +29,14 @@ export function picture({ scenario, palette }: SceneInput<ExploreRun>): FieldPic
 export function pictureOf(field: Field, settings: Scenario["field"], opacity: number): FieldPicture {
   const { values, width, height, corner, u, v } = field;
   const { quantity, position_limit, angle_limit } = settings;
-  const ends = scaleOf(values, quantity === "position" ? 1 : DEGREES_PER_RADIAN);
+  const ends = scaleOf(values, unitOf(quantity).factor);
   const worseThan = quantity === "position" ? position_limit : angle_limit;
   return { values, width, height, corner: lift(corner), u: lift(u), v: lift(v), ...ends, worseThan, opacity };
+}
+
+/** What a bound is shown in, and the factor that takes it there. */
+export function unitOf(quantity: Scenario["field"]["quantity"]): { unit: string; factor: number } {
+  return quantity === "position" ? { unit: "m", factor: 1 } : { unit: "deg", factor: DEGREES_PER_RADIAN };
 }
 
 /** So many values tell where the ends of the scale are. */

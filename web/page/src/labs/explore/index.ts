@@ -5,7 +5,7 @@ import { anchorLabels, anchors } from "../../scene/anchors";
 import { ground, groundLabels } from "../../scene/ground";
 import Controls from "./controls/Panel.svelte";
 import { fields, picture } from "./fields";
-import { body, bounds, ghosts, ranges, reading, twin } from "./layers";
+import { body, bounds, contourLabels, contours, ghosts, ranges, reading, twin } from "./layers";
 import { obstacles } from "./obstacles";
 import Readout from "./Readout.svelte";
 import { type ExploreRun, runOf } from "./run";
@@ -25,16 +25,16 @@ export const lab: Lab<ExploreRun> = {
     fields.show(scenario);
     return run;
   },
-  layers: [ground, obstacles, ranges, bounds, body, ghosts, twin, reading, anchors],
+  layers: [ground, contours, obstacles, ranges, bounds, body, ghosts, twin, reading, anchors],
   field: picture,
   labels: (input) => [
     ...anchorLabels(input),
     ...(input.run ? axisLabels(input, input.run) : []),
+    ...contourLabels(input),
     ...groundLabels(input),
   ],
   note,
   told,
-  plots: () => [],
   marks: () => [],
   describe,
   Controls,

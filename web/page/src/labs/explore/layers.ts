@@ -4,8 +4,9 @@ import { drawBody, drawRanges } from "../../rigid-body/layers";
 import { drawBoundFans, drawEllipsoid } from "../../rigid-body/uncertainty";
 import { matrixAt } from "../../run";
 import { add, lift, scale, sub, transform, type Vec3 } from "../../scene/geometry";
-import type { Layer, SceneInput } from "../../scene/input";
-import { fields } from "./fields";
+import { fieldContourLabels, fieldContours } from "../../scene/contours";
+import type { Label, Layer, SceneInput } from "../../scene/input";
+import { fields, picture, unitOf } from "./fields";
 import { type Motion, motionOf, turned } from "./motion";
 import { boundsAt, pointUnder } from "./probe.svelte";
 
@@ -30,6 +31,18 @@ export const bounds: Layer<ExploreRun> = (input, out) => {
     drawEllipsoid(input, centre, Float64Array.from(position.flat()), palette.rgba("bound", 0.22), out);
   if (rotation && uncertainty.orientation) drawBoundFans(input, run, Float64Array.from(rotation.flat()), out);
 };
+
+/** Lines of equal bound, with round numbers in the unit that is shown. */
+export const contours: Layer<ExploreRun> = (input, out) => {
+  const field = picture(input);
+  if (field) fieldContours(input, out, field, unitOf(input.scenario.field.quantity).factor);
+};
+
+export function contourLabels(input: SceneInput<ExploreRun>): Label[] {
+  const field = picture(input);
+  const { unit, factor } = unitOf(input.scenario.field.quantity);
+  return field ? fieldContourLabels(field, factor, unit) : [];
+}
 
 /** How the motion that is seen least is drawn; null where there is none. */
 export function weakestMotion({ run, scenario, frame }: SceneInput<ExploreRun>): Motion | null {
