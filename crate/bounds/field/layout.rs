@@ -60,6 +60,11 @@ impl FieldLayout {
         let at = |axis: &[f64; 3], length: f64| axis.map(|entry| entry * length);
         let corner = plus(&origin, &plus(&at(&x, across[0]), &at(&y, up[0])));
         let (width, height) = (across[1] - across[0], up[1] - up[0]);
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "from 0.5 to the resolution and a half"
+        )]
         let cells = |edge: f64| ((resolution as f64 * edge / width.max(height) + 0.5) as usize).max(1);
         let (u, v) = (at(&x, width), at(&y, height));
         Ok(Self { corner, u, v, width: cells(width), height: cells(height) })

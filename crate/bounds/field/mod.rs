@@ -15,6 +15,7 @@ use crate::model::availability::{Availability, Block};
 use crate::model::field_settings::{FieldSettings, Quantity};
 use crate::model::noise::SQUARED_RANGE_FLOOR;
 use crate::model::ranging::{RangeForm, RangeModel};
+use crate::model::scenario::Scenario;
 use kernel::{least_part, trace_of_bound};
 pub use layout::FieldLayout;
 
@@ -183,9 +184,18 @@ impl<const L: usize> Root for Lanes<L> {
 ///
 /// # Errors
 /// [`crate::Error::Invalid`] with every problem of the scenario, [`crate::Error::Size`] for another dimension.
-pub fn field_of<const D: usize>(scenario: &crate::model::scenario::Scenario) -> Result<Field> {
+pub fn field_of<const D: usize>(scenario: &Scenario) -> Result<Field> {
     let setup = scenario.setup::<D>()?;
     Ok(Field::new(&setup.model, &setup.availability, &setup.start, &scenario.field))
+}
+
+/// The grid of a scenario's field with `resolution` cells along its longer edge.
+///
+/// # Errors
+/// As [`field_of`], and those of [`FieldLayout::new`].
+pub fn layout_of<const D: usize>(scenario: &Scenario, resolution: usize) -> Result<FieldLayout> {
+    let setup = scenario.setup::<D>()?;
+    FieldLayout::new(setup.model.anchors(), &setup.start, &scenario.field.plane, resolution)
 }
 
 /// Squared ranges below this are weighted as if they were this long.
