@@ -10,6 +10,7 @@
 pub mod along;
 mod cause;
 pub mod constrained;
+pub mod field;
 pub mod fisher;
 pub mod kinds;
 pub mod observability;

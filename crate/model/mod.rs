@@ -2,14 +2,17 @@
 
 pub mod accumulate;
 pub mod anchors;
+pub mod availability;
 pub mod covariance;
 pub mod document;
 pub mod epoch;
 pub mod estimator_settings;
+pub mod field_settings;
 pub mod motion;
 pub mod noise;
 pub mod normal_equations;
 pub mod path;
+pub mod placement_settings;
 pub mod presets;
 pub mod ranges;
 pub mod ranging;

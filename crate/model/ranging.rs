@@ -1,17 +1,20 @@
 //! Ranges become normal equations, O(M N) once, constant size ever after.
 
+use alloc::vec::Vec;
+
 use nalgebra::SMatrix;
 use serde::{Deserialize, Serialize};
 
 use super::accumulate::{RangeBuffer, Sum};
 use super::anchors::Anchors;
+use super::availability::Availability;
 use super::noise::{RangeNoise, VarianceLaw};
 use super::normal_equations::{Information, NormalEquations};
 use super::ranges::Ranges;
 use super::topology::Topology;
 use crate::error::{Error, Result};
 use crate::math::block::BlockMatrix;
-use crate::math::pose::Theta;
+use crate::math::pose::{Pose, Theta};
 
 /// Which squared range gives a pair its weight.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -88,6 +91,13 @@ impl<const D: usize> RangeModel<D> {
             let sensor_in_world = theta.orientation * self.topology.sensors()[n] + theta.position;
             Some((self.anchors.positions()[m] - sensor_in_world).norm_squared())
         })
+    }
+
+    /// Which pairs can be measured at a pose, anchor by anchor, sensor by sensor.
+    pub fn measurable(&self, pose: &Pose<D>, availability: &Availability<D>) -> Vec<bool> {
+        let places: Vec<_> = self.topology.sensors().iter().map(|c| pose.act(c)).collect();
+        let pairs = self.anchors.positions().iter().enumerate();
+        pairs.flat_map(|(m, a)| places.iter().map(move |s| availability.allows(m, a, s))).collect()
     }
 
     /// A buffer of the right size for [`RangeModel::normal_equations`].

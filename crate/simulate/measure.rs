@@ -18,7 +18,7 @@ use crate::model::ranging::RangeModel;
 /// ```
 ///
 /// with `n ~ N(0, 1)` for each pair. Each pair draws a uniform number, which loses the range if it is below
-/// `missing_probability`, then `n`, needed or not; pairs go anchor by anchor, sensor by sensor. That the papers give all
+/// `missing_probability`, then `n`, needed or not, also where it is not `measurable` (a flag for each pair); pairs go anchor by anchor, sensor by sensor. That the papers give all
 /// sensors the variance of the first is a simplification of the weights, not of nature: see
 /// [`Weighting::Common`](crate::model::ranging::Weighting::Common).
 ///
@@ -27,6 +27,7 @@ use crate::model::ranging::RangeModel;
 pub fn measure<const D: usize>(
     model: &RangeModel<D>,
     exact: &Ranges,
+    measurable: &[bool],
     missing_probability: f64,
     stream: &mut Stream,
 ) -> Result<Ranges> {
@@ -35,7 +36,7 @@ pub fn measure<const D: usize>(
     let squared = |m: usize, n: usize| exact.get(m, n).unwrap_or_default();
     Ranges::from_fn(anchors, sensors, |m, n| {
         let Draw { lost, normal } = draws[m * sensors + n];
-        (!lost).then(|| disturbed(model.noise(), squared(m, n), normal))
+        (measurable[m * sensors + n] && !lost).then(|| disturbed(model.noise(), squared(m, n), normal))
     })
 }
 

@@ -43,10 +43,11 @@ pub fn simulate<const D: usize>(scenario: &Scenario, trial: u64) -> Result<Recor
     let mut epochs = Vec::with_capacity(truth.len());
     for (k, pose) in truth.iter().enumerate() {
         let exact = model.exact_ranges(&(*pose).into())?;
+        let measurable = model.measurable(pose, &setup.availability);
         let mut stream = Stream::new(scenario.seed, trial, Part::Epoch(k));
         epochs.push(Epoch {
             motion: setup.motions[k],
-            ranges: measure(&model, &exact, scenario.missing_probability, &mut stream)?,
+            ranges: measure(&model, &exact, &measurable, scenario.missing_probability, &mut stream)?,
             true_ranges: (scenario.weights == WeightSource::True).then_some(exact),
         });
     }

@@ -94,6 +94,63 @@ fn every_rule_of_what_moves_and_estimates_can_be_broken() {
 }
 
 #[test]
+fn every_rule_of_what_can_be_measured_can_be_broken() {
+    let wall =
+        |to: [f64; 2], top: f64| json!({"kind": "wall", "from": [0, 0], "to": to, "bottom": 0, "top": top});
+    let block = |high: [f64; 3]| json!({"kind": "box", "low": [0, 0, 0], "high": high});
+    let rules: Vec<Rule> = vec![
+        ("/availability/max_ranges", json!([1.0]), "availability.max_ranges", "1 long"),
+        ("/availability/max_ranges", json!([0, 1, 1, 1, 1, 1]), "availability.max_ranges[0]", "0"),
+        ("/availability/obstacles", json!([wall([0.0, 0.0], 2.0)]), "availability.obstacles[0].to", "starts"),
+        ("/availability/obstacles", json!([wall([1.0, 0.0], 0.0)]), "availability.obstacles[0].top", "0"),
+        (
+            "/availability/obstacles",
+            json!([wall([1e10, 0.0], 2.0)]),
+            "availability.obstacles[0].to[0]",
+            "1e10",
+        ),
+        (
+            "/availability/obstacles",
+            json!([block([1.0, 0.0, 1.0])]),
+            "availability.obstacles[0].high[1]",
+            "0",
+        ),
+        ("/availability/obstacles", json!(vec![block([1.0; 3]); 101]), "availability.obstacles", "101 long"),
+    ];
+    breaks_only_in_the_room(&rules);
+}
+
+#[test]
+fn every_rule_of_field_and_placement_can_be_broken() {
+    let region = |high: f64| json!({"low": [0, 0, 0], "high": [1, 1, high]});
+    let upright = json!({"kind": "vertical", "heading": 0, "offset": 1e10});
+    let turned = json!({"kind": "vertical", "heading": 1e4, "offset": 0});
+    let rules: Vec<Rule> = vec![
+        ("/field/plane", json!({"kind": "horizontal", "height": 1e10}), "field.plane.height", "1e10"),
+        ("/field/plane", upright, "field.plane.offset", "1e10"),
+        ("/field/plane", turned, "field.plane.heading", "10000"),
+        ("/field/headings", json!(0), "field.headings", "0"),
+        ("/field/headings", json!(73), "field.headings", "73"),
+        ("/field/position_limit", json!(0), "field.position_limit", "0"),
+        ("/field/angle_limit", json!(-1), "field.angle_limit", "-1"),
+        ("/placement/region", region(0.0), "placement.region.high[2]", "0"),
+        ("/placement/limits", region(-1.0), "placement.limits.high[2]", "-1"),
+        ("/placement/keep_out", json!([region(0.0)]), "placement.keep_out[0].high[2]", "0"),
+        ("/placement/keep_out", json!(vec![region(1.0); 101]), "placement.keep_out", "101 long"),
+        ("/placement/fixed", json!([6]), "placement.fixed[0]", "6"),
+        ("/placement/fixed", json!([2, 2]), "placement.fixed[1]", "2"),
+    ];
+    breaks_only_in_the_room(&rules);
+}
+
+#[test]
+fn a_flat_scenario_has_one_plane() {
+    let mut scenario = preset("planar").unwrap();
+    scenario.field.plane = rangelab::model::field_settings::FieldPlane::Body;
+    assert_eq!(scenario.validate()[0].path, "field.plane");
+}
+
+#[test]
 fn every_rule_of_a_path_can_be_broken() {
     let turn = |radius: f64, period: f64| json!({"kind": "turn", "radius": radius, "period": period});
     let eight = json!({"kind": "figure_eight", "radius": -1, "period": 8});

@@ -39,6 +39,8 @@ impl Limit {
     pub const ANGULAR_VELOCITY: Self = Self::from(-1e6, 1e6, " rad/s");
     pub const ANGULAR_VELOCITY_NOISE: Self = Self::from(0.0, 1e6, " rad/s");
     pub const ANGLE_NOISE: Self = Self::from(0.0, 1e6, " rad");
+    pub const ANGLE: Self = Self::from(-1e3, 1e3, " rad");
+    pub const ANGLE_LIMIT: Self = Self::above_zero(1e6, " rad");
     pub const INTERVAL: Self = Self::above_zero(1e6, " s");
     pub const PERIOD: Self = Self::from(1e-6, 1e9, " s");
     pub const PROBABILITY: Self = Self::from(0.0, 1.0, "");
@@ -159,6 +161,18 @@ impl Check {
         self.count(path, points.len(), 1, MAX_POINTS);
         for (i, point) in points.iter().enumerate() {
             self.vector(format_args!("{path}[{i}]"), point, dimension, Limit::COORDINATE);
+        }
+    }
+
+    /// A box along the axes: each of its edges has some length.
+    pub fn region(&mut self, path: impl Display, low: &[f64], high: &[f64], dimension: Option<usize>) {
+        self.vector(format_args!("{path}.low"), low, dimension, Limit::COORDINATE);
+        self.vector(format_args!("{path}.high"), high, dimension, Limit::COORDINATE);
+        for (i, (low, high)) in low.iter().zip(high).enumerate() {
+            if low >= high {
+                let limit = format_args!("above {}, where the box begins", Readable(*low));
+                self.problem(format_args!("{path}.high[{i}]"), Readable(*high), limit);
+            }
         }
     }
 

@@ -10,11 +10,14 @@ use alloc::vec::Vec;
 
 use serde::Serialize;
 
+use super::availability::AvailabilitySettings;
 use super::document::VERSION;
 use super::document::entries::PoseEntries;
 use super::estimator_settings::EstimatorSettings;
+use super::field_settings::FieldSettings;
 use super::motion::ProcessNoise;
 use super::noise::RangeNoise;
+use super::placement_settings::PlacementSettings;
 use super::ranging::Weighting;
 use super::scenario::{InitialSettings, MotionSettings, Scenario, WeightSource};
 use crate::error::{Error, Result};
@@ -202,6 +205,9 @@ fn base<const D: usize>(
         initial: InitialSettings { orientation, position, covariance: 100.0 },
         process: ProcessNoise::default(),
         estimators: EstimatorSettings::default(),
+        availability: AvailabilitySettings::default(),
+        field: FieldSettings::default(),
+        placement: PlacementSettings::default(),
         view: None,
     }
 }

@@ -11,12 +11,15 @@ use serde::{Deserialize, Serialize};
 
 pub use setup::Setup;
 
+use super::availability::AvailabilitySettings;
 use super::document::entries::PoseEntries;
 use super::document::{Written, read, write};
 use super::estimator_settings::EstimatorSettings;
+use super::field_settings::FieldSettings;
 use super::motion::ProcessNoise;
 use super::noise::RangeNoise;
 use super::path::PathSettings;
+use super::placement_settings::PlacementSettings;
 use super::ranging::Weighting;
 use crate::error::{Problem, Result};
 use crate::math::rotation::rotation_angles;
@@ -86,6 +89,15 @@ pub struct Scenario {
     /// Which estimators run, and how.
     #[serde(default)]
     pub estimators: EstimatorSettings,
+    /// Which ranges can be measured at all.
+    #[serde(default)]
+    pub availability: AvailabilitySettings,
+    /// Which bound is drawn as a field.
+    #[serde(default)]
+    pub field: FieldSettings,
+    /// What the placement adviser makes small.
+    #[serde(default)]
+    pub placement: PlacementSettings,
     /// Hints of the page (camera, open panels); carried along, never read.
     #[serde(default)]
     #[cfg_attr(feature = "typescript", ts(type = "Record<string, unknown> | null"))]

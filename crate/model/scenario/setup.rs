@@ -7,6 +7,7 @@ use super::{InitialSettings, Scenario};
 use crate::error::{Error, Result};
 use crate::math::pose::{Pose, Theta};
 use crate::model::anchors::Anchors;
+use crate::model::availability::Availability;
 use crate::model::document::check::accept;
 use crate::model::document::entries::{angles, matrix_from_rows, points, vector};
 use crate::model::epoch::Initial;
@@ -20,6 +21,8 @@ use crate::model::topology::Topology;
 pub struct Setup<const D: usize> {
     /// Anchors (as given, not redrawn), topology, noise.
     pub model: RangeModel<D>,
+    /// Which ranges can be measured.
+    pub availability: Availability<D>,
     /// True pose before the first epoch; on a path it looks along it.
     pub start: Pose<D>,
     /// Undisturbed motion over each interval, one a step.
@@ -46,6 +49,7 @@ impl Scenario {
                 self.noise,
                 self.weighting,
             )?,
+            availability: Availability::new(&self.availability),
             start,
             motions,
             initial: self.initial.typed(),

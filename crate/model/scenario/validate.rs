@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 use super::{InitialSettings, MotionSettings, Scenario};
 use crate::error::Problem;
 use crate::math::rotation::rotation_angles;
+use crate::model::availability;
 use crate::model::document::check::{Check, Limit, MAX_STEPS};
 use crate::model::document::write;
 use crate::model::motion::ProcessNoise;
@@ -43,6 +44,10 @@ pub fn problems(scenario: &Scenario) -> Vec<Problem> {
     initial(&mut check, &scenario.initial, dimension);
     process(&mut check, &scenario.process);
     scenario.estimators.check(&mut check, "estimators.");
+    let anchors = scenario.anchors.len();
+    availability::check(&mut check, &scenario.availability, anchors, dimension);
+    scenario.field.check(&mut check, dimension);
+    scenario.placement.check(&mut check, anchors, dimension);
     view(&mut check, scenario.view.as_ref());
     check.into_problems()
 }
