@@ -25,7 +25,7 @@ type Place = readonly [number, number];
 
 const known = new WeakMap<FieldPicture, Map<number, readonly ContourLine[]>>();
 
-/** The contour lines of a field at 1, 2, 5 times powers of ten of `unitScale` times its numbers; found once for each field. */
+/** The contour lines of a field at round values of `unitScale` times its numbers; found once for each field. */
 export function contourLines(picture: FieldPicture, unitScale = 1): readonly ContourLine[] {
   const ofPicture = known.get(picture) ?? new Map<number, readonly ContourLine[]>();
   const lines = ofPicture.get(unitScale) ?? findLines(picture, unitScale);

@@ -16,6 +16,8 @@ test("long scales have fewer levels", () => {
   expect(logLevels(1e-6, 1e6, 6)).toEqual([1e-6, 1e-3, 1, 1e3, 1e6]);
 });
 
-test("a scale between two levels has none", () => {
-  expect(logLevels(0.21, 0.49, 6)).toEqual([]);
+test("short scales have finer levels, and very short ones may have none", () => {
+  expect(logLevels(0.035, 0.14, 7)).toEqual([0.04, 0.05, 0.07, 0.1]);
+  expect(logLevels(0.21, 0.49, 7)).toEqual([0.3, 0.4]);
+  expect(logLevels(1.1, 1.4, 7)).toEqual([]);
 });
