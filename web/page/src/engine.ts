@@ -8,7 +8,9 @@ import type { Scene } from "./wasm/scene-webgpu/rangelab_scene.js";
 import { decodeRun, decodeStudy } from "./decode";
 import type { Preset } from "./generated/Preset";
 import type { Problem } from "./generated/Problem";
-import type { Exploration, FieldLayout, FieldProbe } from "./exploration";
+import type { Exploration } from "./generated/Exploration";
+import type { FieldLayout } from "./generated/FieldLayout";
+import type { PointBound } from "./generated/PointBound";
 import type { Run } from "./run";
 import type { NamedTopology, Scenario } from "./scenario";
 import type { StudyCurves } from "./study";
@@ -102,7 +104,7 @@ export function fieldRows(
 }
 
 /** The bounds with the body at a point, D coordinates in m. */
-export function fieldProbe(scenario: Scenario, point: readonly number[]): FieldProbe {
+export function fieldProbe(scenario: Scenario, point: readonly number[]): PointBound {
   const at = Float64Array.from(point);
   return JSON.parse(guarded(() => estimators.field_probe(JSON.stringify(scenario), at)));
 }

@@ -1,4 +1,4 @@
-import type { FieldLayout } from "../../exploration";
+import type { FieldLayout } from "../../generated/FieldLayout";
 import type { Scenario } from "../../scenario";
 
 /** Computes the field: all of its geometry, or some of its rows. */

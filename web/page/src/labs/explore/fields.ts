@@ -2,7 +2,7 @@ import { DEGREES_PER_RADIAN } from "../../controls/format";
 import { fieldLayout, fieldRows } from "../../engine";
 import type { Scenario } from "../../scenario";
 import { type FieldPicture, UNBOUNDED } from "../../scene/field";
-import { lift, niceBelow } from "../../scene/geometry";
+import { niceBelow } from "../../scene/geometry";
 import type { SceneInput } from "../../scene/input";
 import { browserIdle, type Field, FieldStore } from "./field-store.svelte";
 
@@ -31,7 +31,7 @@ export function pictureOf(field: Field, settings: Scenario["field"], opacity: nu
   const { quantity, position_limit, angle_limit } = settings;
   const ends = scaleOf(values, unitOf(quantity).factor);
   const worseThan = quantity === "position" ? position_limit : angle_limit;
-  return { values, width, height, corner: lift(corner), u: lift(u), v: lift(v), ...ends, worseThan, opacity };
+  return { values, width, height, corner, u, v, ...ends, worseThan, opacity };
 }
 
 /** What a bound is shown in, and the factor that takes it there. */

@@ -1,9 +1,9 @@
 import { expect, test } from "vitest";
-import type { Mode } from "../../exploration";
+import type { MotionRecord } from "../../generated/MotionRecord";
 import { length } from "../../scene/geometry";
 import { motionOf, turned } from "./motion";
 
-const mode = (standard_deviation: number | null): Mode => ({
+const mode = (standard_deviation: number | null): MotionRecord => ({
   rotation: [0, 0, 0],
   shift: [0, 0, 1],
   standard_deviation,
@@ -16,8 +16,8 @@ test("a motion that can be seen is drawn by one standard deviation", () => {
 
 test("a small one is drawn larger by a round number, an unseen one by a part of the body", () => {
   const { shift, times } = motionOf(mode(0.001), 0.5, 10);
-  expect(times).toBe(100);
-  expect(shift[2]).toBeCloseTo(0.1, 12);
+  expect(times).toBe(200);
+  expect(shift[2]).toBeCloseTo(0.2, 12);
   expect(motionOf(mode(null), 0.5, 10)).toMatchObject({ shift: [0, 0, 0.3], times: null });
 });
 

@@ -1,4 +1,4 @@
-import type { Mode } from "../../exploration";
+import type { MotionRecord } from "../../generated/MotionRecord";
 import { add, cross, length, niceBelow, normalize, scale, type Vec3 } from "../../scene/geometry";
 
 /** How the body is drawn that has moved along a motion the ranges see least. */
@@ -12,13 +12,13 @@ export interface Motion {
 }
 
 /** Shares of the body's radius that sensors move by: less is not seen, and one that is not seen at all moves by the other. */
-const LEAST = 0.12;
+const LEAST = 0.25;
 const UNSEEN = 0.6;
 /** No ghost turns or goes farther than this, rad and m. */
 const FARTHEST_TURN = Math.PI / 3;
 
 /** One standard deviation along the mode, larger by a round number where it would not be seen; `reach` is the farthest shift. */
-export function motionOf(mode: Mode, bodyRadius: number, reach: number): Motion {
+export function motionOf(mode: MotionRecord, bodyRadius: number, reach: number): Motion {
   const { standard_deviation: deviation } = mode;
   const times = deviation === null ? null : magnified(deviation, LEAST * bodyRadius);
   const size = deviation === null ? UNSEEN * bodyRadius : deviation * times!;

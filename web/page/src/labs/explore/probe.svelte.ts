@@ -1,7 +1,8 @@
 import { fieldProbe } from "../../engine";
-import type { FieldLayout, FieldProbe } from "../../exploration";
+import type { FieldLayout } from "../../generated/FieldLayout";
+import type { PointBound } from "../../generated/PointBound";
 import type { Scenario } from "../../scenario";
-import { cross, dot, lift, scale, sub, type Vec3 } from "../../scene/geometry";
+import { cross, dot, scale, sub, type Vec3 } from "../../scene/geometry";
 import type { Ray } from "../../scene/view";
 
 /** The typed place at which the field is read, besides the one under the pointer. */
@@ -21,7 +22,7 @@ class Probe {
 export const probe = new Probe();
 
 /** The bounds at a point; null where the engine has none to tell, as at an anchor. */
-export function boundsAt(scenario: Scenario, point: readonly number[]): FieldProbe | null {
+export function boundsAt(scenario: Scenario, point: readonly number[]): PointBound | null {
   try {
     return fieldProbe(scenario, point);
   } catch {
@@ -32,7 +33,7 @@ export function boundsAt(scenario: Scenario, point: readonly number[]): FieldPro
 /** The point of the field that a ray meets; null beside the field, and where it is seen edge-on. */
 export function pointUnder(ray: Ray | null, field: FieldLayout | null, dimension: number): number[] | null {
   if (ray === null || field === null) return null;
-  const [corner, u, v] = [field.corner, field.u, field.v].map(lift);
+  const { corner, u, v } = field;
   const normal = cross(u, v);
   const along = dot(sub(corner, ray.origin), normal) / dot(ray.direction, normal);
   if (!(along > 0) || !Number.isFinite(along)) return null;

@@ -1,5 +1,5 @@
 import { explore } from "../../engine";
-import type { Exploration } from "../../exploration";
+import type { Exploration } from "../../generated/Exploration";
 import type { LabRun } from "../../lab";
 import type { Scenario } from "../../scenario";
 

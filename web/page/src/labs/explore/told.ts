@@ -1,5 +1,5 @@
 import { DEGREES_PER_RADIAN, formatNumber, formatReading } from "../../controls/format";
-import type { Exploration } from "../../exploration";
+import type { Exploration } from "../../generated/Exploration";
 import type { SceneInput } from "../../scene/input";
 import { asSentence } from "../../words";
 import { weakestMotion } from "./layers";
@@ -8,6 +8,14 @@ import type { ExploreRun } from "./run";
 export function describe({ exploration }: ExploreRun): string {
   const { sentence, twin } = exploration;
   return [sentence, ...(twin ? [twin.sentence] : [])].map(asSentence).join(" ");
+}
+
+/** The cause by its name, and whether a twin hides the pose: in a few words. */
+export function hiddenFrom({ cause, twin }: Pick<Exploration, "cause" | "twin">): string {
+  const seen =
+    cause === null ? "Every small motion is seen" : `Not all is seen: ${cause.replaceAll("-", " ")}`;
+  if (twin === null) return `${seen}.`;
+  return `${seen}; ${twin.proper ? "another pose" : "a mirrored body"} has the same ranges (dashed).`;
 }
 
 /** What the ghost is, and which lines are dashed. */
@@ -22,12 +30,15 @@ export function note(input: SceneInput<ExploreRun>): string {
 function ghostOf(input: SceneInput<ExploreRun>): string {
   const motion = weakestMotion(input);
   if (!motion) return "";
-  if (motion.times === null) return "Blue: the motion that no range sees";
+  if (motion.times === null) return "Ghost (blue): the motion that no range sees";
   const sigma = motion.times === 1 ? "one σ" : `${formatNumber(motion.times)} σ`;
-  return `Blue: the motion seen least, by ${sigma}`;
+  return `Ghost (blue): the motion seen least, by ${sigma}`;
 }
 
-export function missingRanges({ available }: Exploration): { missing: number; all: number } {
+export function missingRanges({ available }: Pick<Exploration, "available">): {
+  missing: number;
+  all: number;
+} {
   const all = available.flat();
   return { missing: all.filter((there) => !there).length, all: all.length };
 }
