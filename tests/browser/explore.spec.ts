@@ -109,7 +109,7 @@ test("anchors in one plane hide a mirror image, and motions off the plane from p
   const lab = await openExplore(page);
   const hidden = page.locator(".cause");
   await expect(hidden).toHaveText("Every small motion is seen.");
-  await lab.openPreset("coplanar-ceiling");
+  await page.getByRole("button", { name: "Ceiling", exact: true }).click();
   await expect(hidden).toContainText("has the same ranges");
   await lab.pick("Ranges", "projected");
   await expect(hidden).toContainText("anchors in one plane");
