@@ -5,4 +5,7 @@
 mod support;
 
 mod gradient;
+mod limits;
+mod optima;
 mod scenes;
+mod search;
