@@ -31,17 +31,20 @@ pub enum Sharpness {
     Exact,
     /// The mean of order `2^doublings`.
     Smooth {
-        /// At least 1.
+        /// 1 to 8; what lies beyond counts as the nearer of them, as higher powers leave the range of doubles.
         doublings: u32,
     },
 }
 
 impl Sharpness {
-    /// The order of the mean.
-    pub(super) fn order(self) -> Option<f64> {
+    /// The doublings of the mean, and its order.
+    pub(super) fn order(self) -> Option<(u32, f64)> {
         match self {
             Self::Exact => None,
-            Self::Smooth { doublings } => Some(f64::from(1_u32 << doublings)),
+            Self::Smooth { doublings } => {
+                let doublings = doublings.clamp(1, 8);
+                Some((doublings, f64::from(1_u32 << doublings)))
+            }
         }
     }
 }
@@ -52,7 +55,7 @@ impl Figure {
         if self.target == Target::Orientation { "rad" } else { "m" }
     }
 
-    /// The number of a covariance of the tangent coordinates, m or rad.
+    /// The number of a covariance of the tangent coordinates, m or rad; infinite where D finds the block singular.
     pub fn value<const D: usize>(&self, covariance: &TangentMatrix<D>) -> f64 {
         self.differentiate(covariance, Sharpness::Exact).0
     }
@@ -69,11 +72,11 @@ impl Figure {
         let p = TangentTransform::from_fn(|i, j| {
             if used(i, j) { covariance.entry(i, j) * scale(i) * scale(j) } else { 0.0 }
         });
-        let (value, slope) = match (self.criterion, sharpness) {
+        let (value, slope) = match (self.criterion, sharpness.order()) {
             (Criterion::A, _) => root_of_trace(&p, &block),
             (Criterion::D, _) => geometric_mean(&p, &block),
-            (Criterion::E, Sharpness::Exact) => root_of_largest(&p),
-            (Criterion::E, Sharpness::Smooth { doublings }) => root_of_norm(&p, doublings),
+            (Criterion::E, None) => root_of_largest(&p),
+            (Criterion::E, Some((doublings, order))) => root_of_norm(&p, doublings, order),
         };
         let placed = TangentTransform::from_fn(|i, j| slope[(i, j)] * scale(i) * scale(j));
         let c = TangentTransform::from_fn(|i, j| {
@@ -103,11 +106,12 @@ fn root_of_trace(p: &TangentTransform, block: &Range<usize>) -> (f64, TangentTra
     (value, TangentTransform::from_fn(diagonal))
 }
 
-/// `det(P)^(1/(2k))` and its slope `f P^-1/(2k)`; both are zero where `P` is singular within double precision.
+/// `det(P)^(1/(2k))` and its slope `f P^-1/(2k)`; infinite where `P` is singular within double precision, since then a
+/// variance is known to no digit.
 fn geometric_mean(p: &TangentTransform, block: &Range<usize>) -> (f64, TangentTransform) {
     let outside = |i, j| if i == j && !block.contains(&i) { 1.0 } else { 0.0 };
     let padded = p + TangentTransform::from_fn(outside);
-    let Ok(inverse) = spd_inverse(&padded) else { return (0.0, TangentTransform::zeros()) };
+    let Ok(inverse) = spd_inverse(&padded) else { return (f64::INFINITY, TangentTransform::zeros()) };
     let order = 0.5 / block.len() as f64;
     let value = pivots(&padded).iter().map(|&pivot| pow(pivot, order)).product();
     let slope = |i, j| {
@@ -139,8 +143,8 @@ fn root_of_largest(p: &TangentTransform) -> (f64, TangentTransform) {
     (value, v * v.transpose() * (0.5 / value))
 }
 
-/// `tr(P^q)^(1/(2q))`, `q = 2^doublings`, and its slope `f P^(q-1)/(2 tr P^q)`; powers are of `X = P/tr P`.
-fn root_of_norm(p: &TangentTransform, doublings: u32) -> (f64, TangentTransform) {
+/// `tr(P^q)^(1/(2q))`, `q = 2^doublings` the order, and its slope `f P^(q-1)/(2 tr P^q)`; powers are of `X = P/tr P`.
+fn root_of_norm(p: &TangentTransform, doublings: u32, order: f64) -> (f64, TangentTransform) {
     let trace = p.trace();
     let x = p / trace;
     // X^(q-1) = X X^2 X^4 ... X^(q/2)
@@ -150,6 +154,6 @@ fn root_of_norm(p: &TangentTransform, doublings: u32) -> (f64, TangentTransform)
         product *= power;
     }
     let norm = (product * x).trace();
-    let value = sqrt(trace) * pow(norm, 0.5 / f64::from(1_u32 << doublings));
+    let value = sqrt(trace) * pow(norm, 0.5 / order);
     (value, product * (0.5 * value / (norm * trace)))
 }

@@ -6,12 +6,13 @@ use alloc::vec::Vec;
 use nalgebra::{SMatrix, SVector};
 
 use super::figure::Sharpness;
-use super::objective::Placement;
+use super::objective::{Placement, finite};
 use crate::bounds::unitary_crb;
 use crate::error::{Error, Result};
 use crate::math::pose::Pose;
 use crate::math::rotation::{MAX_ANGLES, rotation_angles};
 use crate::math::tangent::{MAX_TANGENT, TangentMatrix, TangentTransform, tangent_dimension};
+use crate::model::noise::SQUARED_RANGE_FLOOR;
 use crate::model::ranges::Ranges;
 use crate::model::ranging::{RangeForm, RangeModel};
 
@@ -27,6 +28,8 @@ pub(super) struct Prior {
 
 /// This part of the information of the ranges is what a prior adds: too little to be seen where a bound exists.
 const WEAK: f64 = 1e-9;
+/// And at least this, rad^-2: a standard deviation of 1000 rad, or of 1000 times the extent of the scene.
+const WEAKEST: f64 = 1e-6;
 
 impl<const D: usize> Placement<D> {
     /// The value and its derivative with the position of each anchor, m/m or rad/m; which ranges are available counts as
@@ -63,7 +66,7 @@ impl<const D: usize> Placement<D> {
             let ranges = self.ranges(&model, pose)?;
             let covariance = self.covariance(&model, pose, &ranges, prior)?;
             let (figure, slope) = self.figure.differentiate(&covariance, sharpness);
-            figures.push(figure);
+            figures.push(finite(figure)?);
             slopes.push((ranges, slope));
         }
         let (value, weights) = self.together(&figures, sharpness);
@@ -76,10 +79,11 @@ impl<const D: usize> Placement<D> {
         Ok((value, gradient))
     }
 
-    /// A prior that is weak beside what the ranges say at these anchors.
-    pub(super) fn weak_prior(&self, anchors: &[SVector<f64, D>]) -> Result<Prior> {
+    /// A prior that is weak beside what the ranges say at these anchors, in a scene of such an extent, m.
+    pub(super) fn weak_prior(&self, anchors: &[SVector<f64, D>], extent: f64) -> Result<Prior> {
         let model = self.model(anchors)?;
-        let mut prior = Prior { angle: f64::MIN_POSITIVE, shift: f64::MIN_POSITIVE };
+        let area = (extent * extent).max(SQUARED_RANGE_FLOOR);
+        let mut prior = Prior { angle: WEAKEST, shift: WEAKEST / area };
         for pose in &self.poses {
             let information = self.information(&model, pose, &self.ranges(&model, pose)?)?;
             let j = information.on_tangent_space();

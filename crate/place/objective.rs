@@ -6,7 +6,7 @@ use nalgebra::SVector;
 
 use super::figure::{Figure, Sharpness};
 use crate::bounds::{FisherInformation, fisher_information_of, unitary_crb};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::math::float::{pow, sqrt};
 use crate::math::pose::{Pose, Theta};
 use crate::model::anchors::Anchors;
@@ -63,7 +63,7 @@ impl<const D: usize> Placement<D> {
             .map(|pose| {
                 let ranges = self.ranges(&model, pose)?;
                 let bound = unitary_crb(&self.information(&model, pose, &ranges)?)?;
-                Ok(self.figure.value(&bound))
+                finite(self.figure.value(&bound))
             })
             .collect();
         Ok(self.together(&figures?, Sharpness::Exact).0)
@@ -112,7 +112,7 @@ impl<const D: usize> Placement<D> {
                 let value = sqrt(figures.iter().map(|f| f * f).sum::<f64>() / count);
                 (value, figures.iter().map(|f| f / (value * count)).collect())
             }
-            (Over::Worst, Some(order)) => mean_of_order(order),
+            (Over::Worst, Some((_, order))) => mean_of_order(order),
             (Over::Worst, None) => {
                 let first = figures.iter().position(|f| *f >= largest);
                 (largest, (0..figures.len()).map(|i| f64::from(u8::from(Some(i) == first))).collect())
@@ -124,4 +124,12 @@ impl<const D: usize> Placement<D> {
     pub(super) fn has_kinks(&self) -> bool {
         self.figure.criterion == Criterion::E || self.over == Over::Worst && self.poses.len() > 1
     }
+}
+
+/// Refuses the figure of a bound that is singular or beyond doubles.
+pub(super) fn finite(figure: f64) -> Result<f64> {
+    if figure.is_finite() {
+        return Ok(figure);
+    }
+    Err(Error::Number { what: "the standard deviation of a bound", value: figure, limit: "finite" })
 }

@@ -42,7 +42,7 @@ pub fn optimise<const D: usize>(
     let (mut best, mut at) = (start.to_vec(), start.to_vec());
     let mut best_value = placement.value(start).ok();
     for &sharpness in stages {
-        let prior = placement.weak_prior(&at)?;
+        let prior = placement.weak_prior(&at, zone.extent())?;
         at = descend(zone, &at, |anchors| placement.differentiate(anchors, Some(prior), sharpness))?;
         let value = placement.value(&at).ok();
         if value.is_some_and(|value| best_value.is_none_or(|best| value < best)) {

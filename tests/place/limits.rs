@@ -2,12 +2,13 @@
 
 use nalgebra::SVector;
 use rangelab::Error;
+use rangelab::model::availability::Obstacle;
 use rangelab::model::placement_settings::Region;
 use rangelab::model::scenario::Scenario;
 use rangelab::place::{Zone, improve};
 
 use crate::in_plane_and_space;
-use crate::scenes::{cube, random, typed};
+use crate::scenes::{cube, placement, random, typed};
 use crate::support::sampling::Sampler;
 
 in_plane_and_space!(
@@ -112,4 +113,34 @@ fn zones_that_leave_no_place_are_refused() {
     assert_eq!(problems[0].path, "placement.keep_out");
     scenario.placement.fixed = (0..scenario.anchors.len()).collect();
     assert_eq!(improve(&scenario, 0).unwrap().anchors, scenario.anchors);
+}
+
+/// A range that cannot be measured is as good as no anchor; walls and reach count.
+#[test]
+fn ranges_that_are_not_available_do_not_count() {
+    let mut scenario = random::<2>(0);
+    scenario.anchors =
+        vec![vec![-4.0, 4.5], vec![4.5, 4.0], vec![4.0, -4.5], vec![-4.5, -4.0], vec![0.0, 4.9]];
+    let value = |scenario: &Scenario| placement::<2>(scenario).value(&typed(&scenario.anchors)).unwrap();
+    let all = value(&scenario);
+    let mut without = scenario.clone();
+    without.anchors.pop();
+    let wall = Obstacle::Wall { from: vec![-1.0, 4.5], to: vec![1.0, 4.5], bottom: None, top: None };
+    let mut walled = scenario.clone();
+    walled.availability.obstacles = vec![wall];
+    assert!(value(&walled) > 1.01 * all);
+    assert_eq!(value(&walled).to_bits(), value(&without).to_bits());
+    scenario.availability.max_ranges = vec![None, None, None, None, Some(0.5)];
+    assert_eq!(value(&scenario).to_bits(), value(&without).to_bits());
+    let found = improve(&scenario, 0).unwrap();
+    assert!(found.after < found.before, "{found:?}");
+}
+
+#[test]
+fn where_nothing_is_measured_nothing_moves_and_the_cause_is_named() {
+    let mut scenario = random::<3>(0);
+    scenario.availability.max_ranges = vec![Some(1e-3); scenario.anchors.len()];
+    let found = improve(&scenario, 0).unwrap();
+    assert_eq!((found.before, found.after), (None, None));
+    assert!(found.cause.is_some_and(|cause| cause.contains("No range was measured")));
 }
