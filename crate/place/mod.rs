@@ -8,8 +8,10 @@
 //! | [`gradient`] | its derivative with the place of each anchor |
 //! | [`zone`] | where anchors may stand |
 //! | [`optimise`] | the search within it |
-//! | [`improve`] | a scenario with its anchors moved |
+//! | [`mod@advise`] | the value and slope of a scenario's anchors |
+//! | [`mod@improve`] | a scenario with its anchors moved |
 
+pub mod advise;
 pub mod figure;
 pub mod gradient;
 pub mod improve;
@@ -18,6 +20,7 @@ pub mod optimise;
 mod poses;
 pub mod zone;
 
+pub use advise::{Advice, advise};
 pub use improve::{Improvement, improve};
 pub use objective::Placement;
 pub use zone::Zone;

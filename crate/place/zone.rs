@@ -47,6 +47,11 @@ impl<const D: usize> Zone<D> {
         Ok(zone)
     }
 
+    /// The box of the anchors, all of them free.
+    pub fn around(anchors: &[SVector<f64, D>]) -> Self {
+        Self { limits: around(anchors), keep_out: Vec::new(), fixed: vec![false; anchors.len()] }
+    }
+
     /// Whether an anchor may not be moved.
     pub fn is_fixed(&self, anchor: usize) -> bool {
         self.fixed[anchor]

@@ -7,13 +7,13 @@ use rangelab::math::tangent::{TangentVector, split, tangent_dimension};
 use rangelab::model::placement_settings::{Criterion, Over, Target};
 use rangelab::model::ranging::RangeForm;
 use rangelab::model::scenario::Scenario;
-use rangelab::place::Placement;
 use rangelab::place::figure::Sharpness;
+use rangelab::place::{Placement, advise};
 
 use crate::in_plane_and_space;
 use crate::scenes::{CRITERIA, FORMS, OVERS, TARGETS, placement, random, typed};
 
-in_plane_and_space!(the_slope_is_that_of_the_value, weights_move_with_the_anchors);
+in_plane_and_space!(the_slope_is_that_of_the_value, weights_move_with_the_anchors, advice_leads_downhill);
 
 const STEP: f64 = 1e-4;
 const TOLERANCE: f64 = 1e-5;
@@ -138,4 +138,31 @@ fn weights_move_with_the_anchors<const D: usize>() {
             "{trial}: without the slope of the weights only {spoiled:e} off"
         );
     }
+}
+
+fn advice_leads_downhill<const D: usize>() {
+    for trial in 0..6 {
+        let mut scenario = random::<D>(trial);
+        let advice = advise(&scenario).unwrap();
+        let squares: f64 = advice.gradient.iter().flatten().map(|x| x * x).sum();
+        let step = 1e-3 / squares.sqrt();
+        for (anchor, gradient) in scenario.anchors.iter_mut().zip(&advice.gradient) {
+            for (x, slope) in anchor.iter_mut().zip(gradient) {
+                *x -= step * slope;
+            }
+        }
+        let (before, after) = (advice.value.unwrap(), advise(&scenario).unwrap().value.unwrap());
+        let promised = step * squares;
+        assert!(((before - after) / promised - 1.0).abs() < 0.05, "{trial}: {before} {after} {promised}");
+    }
+}
+
+#[test]
+fn advice_is_given_where_no_bound_exists() {
+    let mut scenario = random::<3>(0);
+    scenario.anchors = (0..4).map(|m| vec![f64::from(m), f64::from(m % 2), 2.0]).collect();
+    scenario.field.form = RangeForm::Projected;
+    let advice = advise(&scenario).unwrap();
+    assert!(advice.value.is_none() && advice.cause.is_some());
+    assert!(advice.gradient.iter().flatten().all(|x| x.is_finite()));
 }
