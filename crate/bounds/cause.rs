@@ -23,7 +23,7 @@ pub(super) enum Parameters {
 }
 
 /// An extent below this part of the largest one is invisible within double precision, since information squares it.
-const FLAT: f64 = 1e-6;
+pub(super) const FLAT: f64 = 1e-6;
 
 /// The typed error for a singular information matrix.
 pub(super) fn unobservable<const D: usize>(
@@ -31,43 +31,110 @@ pub(super) fn unobservable<const D: usize>(
     information: &FisherInformation<D>,
     parameters: Parameters,
 ) -> Error {
-    Error::Unobservable { what, ranges: information.ranges, reason: reason(information, parameters) }
+    Error::Unobservable { what, ranges: information.ranges, reason: reason(information, parameters).sentence }
+}
+
+/// Why some motion of the body is not seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cause {
+    /// There is no range at all.
+    NoRanges,
+    /// Fewer sensors than the question needs, however they lie.
+    TooFewSensors,
+    /// All sensors lie in one point.
+    SensorsAtOnePoint,
+    /// All sensors lie on one line.
+    SensorsOnOneLine,
+    /// All sensors lie in one plane.
+    SensorsInOnePlane,
+    /// Fewer anchors than the question needs, however they lie.
+    TooFewAnchors,
+    /// All anchors lie in one point.
+    AnchorsAtOnePoint,
+    /// All anchors lie on one line.
+    AnchorsOnOneLine,
+    /// All anchors lie in one plane.
+    AnchorsInOnePlane,
+    /// Too many ranges are missing.
+    MissingRanges,
+    /// Only this pose is not seen.
+    ThisPose,
+}
+
+impl Cause {
+    /// Its name in documents; it stays.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::NoRanges => "no-ranges",
+            Self::TooFewSensors => "too-few-sensors",
+            Self::SensorsAtOnePoint => "sensors-at-one-point",
+            Self::SensorsOnOneLine => "sensors-on-one-line",
+            Self::SensorsInOnePlane => "sensors-in-one-plane",
+            Self::TooFewAnchors => "too-few-anchors",
+            Self::AnchorsAtOnePoint => "anchors-at-one-point",
+            Self::AnchorsOnOneLine => "anchors-on-one-line",
+            Self::AnchorsInOnePlane => "anchors-in-one-plane",
+            Self::MissingRanges => "missing-ranges",
+            Self::ThisPose => "this-pose",
+        }
+    }
+}
+
+/// A cause and its sentence.
+pub(super) struct Reason {
+    pub(super) cause: Cause,
+    pub(super) sentence: String,
 }
 
 /// The first cause that applies: sensors, anchors, missing ranges, or else the motion that is not seen.
-pub(super) fn reason<const D: usize>(information: &FisherInformation<D>, parameters: Parameters) -> String {
+pub(super) fn reason<const D: usize>(information: &FisherInformation<D>, parameters: Parameters) -> Reason {
     let model = information.model;
     let (anchors, sensors) = (model.anchors().positions(), model.topology().sensors());
     let pairs = anchors.len() * sensors.len();
     let missing = pairs - information.ranges;
     if missing == pairs {
-        return "No range was measured.".into();
+        return Reason { cause: Cause::NoRanges, sentence: "No range was measured.".into() };
     }
     let geometry = match parameters {
         Parameters::Pose => {
-            lack("sensor", sensors, D - 1).map(|lack| lack.explain("a turn about", "moves no sensor"))
+            lack(SENSOR, sensors, D - 1).map(|lack| lack.explain("a turn about", "moves no sensor"))
         }
         Parameters::Unconstrained => {
-            lack("sensor", sensors, D).map(|lack| lack.explain("what Q does off", "moves no sensor"))
+            lack(SENSOR, sensors, D).map(|lack| lack.explain("what Q does off", "moves no sensor"))
         }
     };
     let geometry = geometry.or_else(|| match information.form {
-        RangeForm::Projected => lack("anchor", anchors, D)
+        RangeForm::Projected => lack(ANCHOR, anchors, D)
             .map(|lack| lack.explain("with the unknown ||s||^2 projected out, motion off", "is not seen")),
-        RangeForm::Raw => lack("anchor", anchors, D - 1)
+        RangeForm::Raw => lack(ANCHOR, anchors, D - 1)
             .map(|lack| lack.explain("turning the body about", "changes no range")),
     });
     geometry.unwrap_or_else(|| {
         if missing > 0 {
-            format!("{missing} of {pairs} ranges are missing.")
+            let sentence = format!("{missing} of {pairs} ranges are missing.");
+            Reason { cause: Cause::MissingRanges, sentence }
         } else {
-            unseen_motion(information)
+            Reason { cause: Cause::ThisPose, sentence: unseen_motion(information) }
         }
     })
 }
 
+/// What points are called, the cause where they are too few, and that where they lie in a flat of 0, 1, 2 dimensions.
+type Named = (&'static str, Cause, [Cause; 3]);
+const SENSOR: Named = (
+    "sensor",
+    Cause::TooFewSensors,
+    [Cause::SensorsAtOnePoint, Cause::SensorsOnOneLine, Cause::SensorsInOnePlane],
+);
+const ANCHOR: Named = (
+    "anchor",
+    Cause::TooFewAnchors,
+    [Cause::AnchorsAtOnePoint, Cause::AnchorsOnOneLine, Cause::AnchorsInOnePlane],
+);
+
 /// What a cloud of points lacks of extending in enough directions.
 struct Lack {
+    cause: Cause,
     /// How many there are, or how they lie.
     finding: String,
     /// What they share.
@@ -75,12 +142,17 @@ struct Lack {
 }
 
 impl Lack {
-    fn explain(&self, motion: &str, effect: &str) -> String {
-        format!("{}: {motion} that {} {effect}.", self.finding, self.flat)
+    fn explain(&self, motion: &str, effect: &str) -> Reason {
+        let sentence = format!("{}: {motion} that {} {effect}.", self.finding, self.flat);
+        Reason { cause: self.cause, sentence }
     }
 }
 
-fn lack<const D: usize>(what: &str, points: &[SVector<f64, D>], directions: usize) -> Option<Lack> {
+fn lack<const D: usize>(
+    (what, too_few, flat): Named,
+    points: &[SVector<f64, D>],
+    directions: usize,
+) -> Option<Lack> {
     let spread = Spread::of(points);
     let extends = |k: usize| spread.singular_values[k] > FLAT * spread.singular_values[0];
     let rank = (0..D).take_while(|&k| extends(k)).count();
@@ -96,7 +168,8 @@ fn lack<const D: usize>(what: &str, points: &[SVector<f64, D>], directions: usiz
     } else {
         format!("The {count} {what}{plural} lie {place}")
     };
-    Some(Lack { finding, flat: FLATS[rank].1 })
+    let cause = if count < needed { too_few } else { flat[rank] };
+    Some(Lack { cause, finding, flat: FLATS[rank].1 })
 }
 
 /// Flats by dimension: how one lies in it, and its name.

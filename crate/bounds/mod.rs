@@ -10,12 +10,16 @@
 pub mod along;
 mod cause;
 pub mod constrained;
+pub mod field;
 pub mod fisher;
 pub mod kinds;
 pub mod observability;
 pub mod posterior;
+pub mod size;
+pub mod twin;
 
 pub use along::{StepBounds, bounds_along, visit_bounds};
+pub use cause::Cause;
 pub use constrained::{crb, unitary_crb};
 pub use fisher::{FisherInformation, fisher_information, fisher_information_of};
 pub use kinds::{Bound, BoundKind, BoundMatrix};

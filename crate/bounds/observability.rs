@@ -2,17 +2,21 @@
 
 use alloc::format;
 use alloc::string::String;
+use alloc::vec::Vec;
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{SMatrix, SVector, Vector4};
 
-use super::cause::{Parameters, describe_flat, describe_turn, describe_vector, metres, reason};
+use super::cause::{
+    Cause, Parameters, Reason, describe_flat, describe_turn, describe_vector, metres, reason,
+};
 use super::constrained::unitary_crb;
 use super::fisher::FisherInformation;
 use crate::math::float::{degrees, sqrt};
 use crate::math::rotation::{Angles, rotation_angles};
 use crate::math::singular::singular;
 use crate::math::tangent::{MAX_TANGENT, TangentVector, split, tangent_dimension};
-use crate::model::spread::Spread;
+use crate::model::spread::{Spread, singular_values};
+use crate::model::topology::Topology;
 
 /// Facts about what can be seen from one epoch.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,15 +31,23 @@ pub struct Observability<const D: usize> {
     pub sensor_rank: usize,
     /// Largest over least extent of the sensors about their centroid; infinite where the rank is deficient.
     pub sensor_condition: f64,
-    /// The motion of the body that the ranges see least.
-    pub weakest: WeakestMotion<D>,
+    /// Singular values of the centred anchors, decreasing, m.
+    pub anchor_singular_values: [f64; D],
+    /// Singular values of `[C; 1^T]`, decreasing, one more than dimensions: the entries of `Q` and `t` are seen through
+    /// them. The ones have no unit, so the numbers depend on the metre.
+    pub sensor_singular_values: Vec<f64>,
+    /// The independent motions of the body, the one that the ranges see least first.
+    pub motions: Vec<Motion<D>>,
+    /// Why the pose is not seen; `None` where it is.
+    pub cause: Option<Cause>,
     /// What is not seen and why; or, where all is seen, what is seen least.
     pub sentence: String,
 }
 
-/// The motion of the body that the ranges see least, scaled so that the sensors move by about 1 m.
+/// A motion of the body, scaled so that the sensors move by about 1 m: an eigenvector of the pose information with
+/// angles counted as metres at the sensors.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WeakestMotion<const D: usize> {
+pub struct Motion<const D: usize> {
     /// Rotation coordinates in the body frame, rad.
     pub rotation: Angles,
     /// Shift in the world frame, m.
@@ -48,39 +60,57 @@ pub struct WeakestMotion<const D: usize> {
 
 /// Gathers the facts at a pose, for a body that is rigid (`Q` a rotation).
 pub fn observability<const D: usize>(information: &FisherInformation<D>) -> Observability<D> {
-    let (anchors, sensors) = (information.model.anchors().spread(), information.model.topology().spread());
-    let bound = unitary_crb(information);
-    let weakest = weakest_motion(information, bound.is_ok());
-    let sentence = match &bound {
-        Ok(_) => describe_weakest(information, &weakest),
-        Err(_) => reason(information, Parameters::Pose),
+    let (anchors, topology) = (information.model.anchors(), information.model.topology());
+    let (spread, sensors) = (anchors.spread(), topology.spread());
+    let seen = unitary_crb(information).is_ok();
+    let motions = motions(information, seen);
+    let (cause, sentence) = if seen {
+        (None, describe_weakest(information, &motions[0]))
+    } else {
+        let Reason { cause, sentence } = reason(information, Parameters::Pose);
+        (Some(cause), sentence)
     };
     Observability {
-        anchor_rank: anchors.rank(),
-        anchor_condition: condition(&anchors),
-        anchor_thickness: anchors.thickness(information.model.anchors().positions(), D - 1),
+        anchor_rank: spread.rank(),
+        anchor_condition: condition(&spread),
+        anchor_thickness: spread.thickness(anchors.positions(), D - 1),
         sensor_rank: sensors.rank() + 1,
         sensor_condition: condition(&sensors),
-        weakest,
+        anchor_singular_values: spread.singular_values,
+        sensor_singular_values: extended_singular_values(topology),
+        motions,
+        cause,
         sentence,
     }
+}
+
+/// Singular values of `[C; 1^T]`.
+fn extended_singular_values<const D: usize>(topology: &Topology<D>) -> Vec<f64> {
+    // In the plane one more coordinate is zero, and so is the value that is left out.
+    let lift =
+        |c: &SVector<f64, D>| Vector4::from_fn(|i, _| if i < D { c[i] } else { f64::from(u8::from(i == D)) });
+    let extended: Vec<_> = topology.sensors().iter().map(lift).collect();
+    singular_values(&extended, &Vector4::zeros())[..=D].to_vec()
 }
 
 fn condition<const D: usize>(spread: &Spread<D>) -> f64 {
     if spread.rank() < D { f64::INFINITY } else { spread.condition() }
 }
 
-/// Eigenvector of the least eigenvalue of the pose information, with angles counted as metres at the sensors.
-pub(super) fn weakest_motion<const D: usize>(
-    information: &FisherInformation<D>,
-    seen: bool,
-) -> WeakestMotion<D> {
+/// The motion that the ranges see least.
+pub(super) fn weakest_motion<const D: usize>(information: &FisherInformation<D>, seen: bool) -> Motion<D> {
+    motions(information, seen)[0]
+}
+
+/// Eigenvectors of the pose information, with angles counted as metres at the sensors, least eigenvalue first. Where the
+/// pose is not `seen`, those whose information is rounding beside the largest have no standard deviation.
+fn motions<const D: usize>(information: &FisherInformation<D>, seen: bool) -> Vec<Motion<D>> {
     let size = body_size(information);
     let j = information.on_tangent_space();
     let used = tangent_dimension(D);
     let scale = |i: usize| if i < rotation_angles(D) { 1.0 / size } else { 1.0 };
     let scaled = |i: usize, k: usize| j.entry(i, k) * scale(i) * scale(k);
-    // Unused coordinates (D = 2) get the trace, so that they never are the least.
+    // Unused coordinates (D = 2) get the trace, so that they come first and are left out.
     let unused = (0..used).map(|i| scaled(i, i)).sum::<f64>();
     let matrix =
         SMatrix::<f64, MAX_TANGENT, MAX_TANGENT>::from_fn(|i, k| match (i < used && k < used, i == k) {
@@ -89,16 +119,23 @@ pub(super) fn weakest_motion<const D: usize>(
             (false, false) => 0.0,
         });
     let s = singular(&matrix);
-    let least = MAX_TANGENT - 1;
-    let direction: TangentVector = s.right.column(least).into_owned();
-    let (turn, shift) = split::<D>(&direction);
-    WeakestMotion {
-        rotation: turn.map(|x| x / size),
-        shift,
-        standard_deviation: seen.then(|| 1.0 / sqrt(s.values[least])),
-        turning: turn.iter().map(|x| x * x).sum(),
-    }
+    let largest = s.values[MAX_TANGENT - used];
+    let motion = |k: usize| {
+        let direction: TangentVector = s.right.column(k).into_owned();
+        let (turn, shift) = split::<D>(&direction);
+        let seen = seen || s.values[k] > ROUNDING * largest;
+        Motion {
+            rotation: turn.map(|x| x / size),
+            shift,
+            standard_deviation: seen.then(|| 1.0 / sqrt(s.values[k])),
+            turning: turn.iter().map(|x| x * x).sum(),
+        }
+    };
+    (MAX_TANGENT - used..MAX_TANGENT).rev().map(motion).collect()
 }
+
+/// Information below this part of the largest is rounding.
+const ROUNDING: f64 = 1e-12;
 
 /// Root mean square distance of the sensors from the origin of the body frame, m; 1 where it vanishes.
 fn body_size<const D: usize>(information: &FisherInformation<D>) -> f64 {
@@ -110,10 +147,7 @@ fn body_size<const D: usize>(information: &FisherInformation<D>) -> f64 {
 /// Anchors whose extents differ by more than this factor are called thin.
 const THIN: f64 = 10.0;
 
-fn describe_weakest<const D: usize>(
-    information: &FisherInformation<D>,
-    weakest: &WeakestMotion<D>,
-) -> String {
+fn describe_weakest<const D: usize>(information: &FisherInformation<D>, weakest: &Motion<D>) -> String {
     let anchors = information.model.anchors();
     let spread = anchors.spread();
     let opening = if condition(&spread) > THIN {

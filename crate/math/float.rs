@@ -2,7 +2,7 @@
 //!
 //! The crate is `no_std`, so there is no other door: `f64::sin` and the like do not exist in it.
 
-pub use libm::{atan2, cos, exp, lgamma, log, pow, sin};
+pub use libm::{atan2, cos, exp, floor, lgamma, log, pow, sin};
 
 /// Square root, correctly rounded, so the same bits everywhere.
 #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]

@@ -4,6 +4,7 @@ pub mod block;
 pub mod chi_squared;
 pub mod float;
 pub mod linalg;
+pub mod number;
 mod polar;
 pub mod pose;
 pub mod rotation;

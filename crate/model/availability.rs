@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::document::check::{Check, Limit, MAX_POINTS};
 use super::document::entries::vector;
+use crate::math::number::Number;
 
 /// What takes ranges away, as it stands in a scenario; by default nothing.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -133,27 +134,55 @@ impl Block {
         }
     }
 
-    /// Whether the line from `a` to `b` passes through: the separating axes of a line and a box, no division, so that
-    /// lines along an axis need no care.
+    /// Whether the line between two points passes through.
     pub fn blocks(&self, a: &[f64; 3], b: &[f64; 3]) -> bool {
-        let half_line: [f64; 3] = core::array::from_fn(|i| 0.5 * (b[i] - a[i]));
-        let middle: [f64; 3] = core::array::from_fn(|i| 0.5 * (a[i] + b[i]) - self.centre[i]);
-        let (d, c) = (self.along(&half_line), self.along(&middle));
-        let grown = 1.0 + TOUCH;
-        let apart = |distance: f64, reach: f64| grown * distance.abs() >= reach;
-        let h = &self.half;
-        !((0..3).any(|i| apart(c[i], h[i] + d[i].abs()))
-            || (0..3).any(|i| {
-                let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-                apart(c[j] * d[k] - c[k] * d[j], h[j] * d[k].abs() + h[k] * d[j].abs())
-            }))
+        !line_is_free(&self.map(|x| x), *a, *b)
     }
 
-    /// A vector in the axes of the block.
-    fn along(&self, v: &[f64; 3]) -> [f64; 3] {
-        let [x, y] = self.heading;
-        [x * v[0] + y * v[1], x * v[1] - y * v[0], v[2]]
+    /// Its numbers as another kind of number: middle, heading, half edges.
+    pub(crate) fn map<N>(&self, constant: impl Fn(f64) -> N) -> BlockNumbers<N> {
+        BlockNumbers {
+            centre: self.centre.map(&constant),
+            heading: self.heading.map(&constant),
+            half: self.half.map(&constant),
+        }
     }
+}
+
+/// A [`Block`] in the numbers of a kernel.
+#[derive(Clone, Copy)]
+pub(crate) struct BlockNumbers<N> {
+    pub(crate) centre: [N; 3],
+    pub(crate) heading: [N; 2],
+    pub(crate) half: [N; 3],
+}
+
+/// Whether the line from `a` to `b` passes beside the block: the separating axes of a line and a box, without a division,
+/// so that lines along an axis need no care.
+#[inline]
+pub(crate) fn line_is_free<N: Number>(block: &BlockNumbers<N>, a: [N; 3], b: [N; 3]) -> N::Truth {
+    let half = a[0].constant(0.5);
+    let along = |v: [N; 3]| {
+        let [x, y] = block.heading;
+        [x * v[0] + y * v[1], x * v[1] - y * v[0], v[2]]
+    };
+    let d = along(core::array::from_fn(|i| half * (b[i] - a[i])));
+    let c = along(core::array::from_fn(|i| half * (a[i] + b[i]) - block.centre[i]));
+    let h = block.half;
+    let grown = half.constant(1.0 + TOUCH);
+    // How far it stays clear of the block along each axis of that, and along each that is normal to one and to the line;
+    // the clearest decides.
+    let mut beside = grown * c[0].abs() - (h[0] + d[0].abs());
+    let mut askew = half.constant(0.0);
+    for i in 0..3 {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        beside = beside.larger(grown * c[i].abs() - (h[i] + d[i].abs()));
+        let lever = (c[j] * d[k] - c[k] * d[j]).abs();
+        askew = askew.larger(grown * lever - (h[j] * d[k].abs() + h[k] * d[j].abs()));
+    }
+    // To touch a face is to be free; lines along an axis say nothing askew, 0.
+    let zero = half.constant(0.0);
+    N::not(N::both(zero.above(beside), N::not(askew.above(zero))))
 }
 
 fn lift(point: &[f64]) -> [f64; 3] {

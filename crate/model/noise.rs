@@ -84,6 +84,11 @@ pub(crate) struct VarianceLaw {
 }
 
 impl VarianceLaw {
+    /// `linear` and `quadratic`.
+    pub(crate) fn coefficients(self) -> [f64; 2] {
+        [self.linear, self.quadratic]
+    }
+
     #[inline]
     pub(crate) fn variance(self, squared_range: f64) -> f64 {
         let s = if squared_range > SQUARED_RANGE_FLOOR { squared_range } else { SQUARED_RANGE_FLOOR };

@@ -52,6 +52,14 @@ impl<const D: usize> Spread<D> {
     }
 }
 
+/// Singular values of points about a place, decreasing.
+pub(crate) fn singular_values<const D: usize>(
+    points: &[SVector<f64, D>],
+    about: &SVector<f64, D>,
+) -> [f64; D] {
+    singular(&triangular_factor(points, about)).values
+}
+
 /// The triangular factor of the centred points, by Givens rotations row by row: no buffer of the size of the cloud.
 fn triangular_factor<const D: usize>(
     points: &[SVector<f64, D>],

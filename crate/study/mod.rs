@@ -3,6 +3,7 @@
 pub mod block;
 mod bound_tally;
 pub mod error;
+pub mod exploration;
 mod flat;
 pub mod moments;
 pub mod monte_carlo;

@@ -131,7 +131,7 @@ fn weakest_motion_has_the_largest_variance<const D: usize>() {
             covariance.column_mut(i).scale_mut(size);
         }
         let largest = covariance.symmetric_eigenvalues().max().sqrt();
-        let found = observability(&information).weakest;
+        let found = observability(&information).motions[0];
         let deviation = found.standard_deviation.unwrap();
         assert!((deviation / largest - 1.0).abs() < 1e-9, "trial {trial}: {deviation:e} against {largest:e}");
         let turned = size * nalgebra::Vector3::from(found.rotation).norm();

@@ -145,9 +145,9 @@ fn thin_anchors_are_seen_badly_and_the_facts_say_how_thin() {
         thin.sentence
     );
     assert!(thin.anchor_thickness < 0.15 && thin.anchor_rank == 3 && thin.anchor_condition > 20.0);
-    let deviation = |facts: &rangelab::bounds::Observability<3>| facts.weakest.standard_deviation.unwrap();
+    let deviation = |facts: &rangelab::bounds::Observability<3>| facts.motions[0].standard_deviation.unwrap();
     assert!(deviation(&thin) > 5.0 * deviation(&whole));
-    assert!(thin.weakest.shift[2].abs() > 0.9 || thin.weakest.turning > 0.5);
+    assert!(thin.motions[0].shift[2].abs() > 0.9 || thin.motions[0].turning > 0.5);
 }
 
 #[test]

@@ -3,6 +3,7 @@
 //! It does no arithmetic of its own but the roots of variances. What goes wrong is thrown as an `Error` whose message is
 //! a sentence.
 
+mod explore;
 mod study;
 mod track_run;
 
@@ -16,6 +17,7 @@ use rangelab::{Error, Problem};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
+pub use explore::{explore, field_layout, field_probe, field_rows, size_curve};
 pub use study::{StudySum, study_block};
 pub use track_run::TrackRun;
 

@@ -1,0 +1,76 @@
+//! What a geometry can see: the bound at a pose and over a plane.
+
+use rangelab::bounds::field::{FieldLayout, field_of, layout_of};
+use rangelab::bounds::size::orientation_against_size;
+use rangelab::model::scenario::Scenario;
+use rangelab::study::exploration;
+use rangelab::with_dimension;
+use wasm_bindgen::prelude::*;
+
+use crate::json;
+
+/// What the geometry of a scenario (JSON) can and cannot see at the pose its body starts from: the JSON of the crate's
+/// `Exploration`.
+///
+/// # Errors
+/// A sentence with every problem of the scenario.
+#[wasm_bindgen]
+pub fn explore(scenario: &str) -> Result<String, JsError> {
+    Ok(json(&exploration::explore(&Scenario::from_json(scenario)?)?))
+}
+
+/// Where the cells of the scenario's field lie, `resolution` of them along the longer edge: the JSON of the crate's
+/// `FieldLayout`.
+///
+/// # Errors
+/// A sentence for a bad scenario or resolution.
+#[wasm_bindgen]
+pub fn field_layout(scenario: &str, resolution: usize) -> Result<String, JsError> {
+    Ok(json(&layout(&Scenario::from_json(scenario)?, resolution)?))
+}
+
+/// Some rows of the scenario's field, row by row: m or rad, 1e30 where there is no bound.
+///
+/// # Errors
+/// As [`field_layout`].
+#[wasm_bindgen]
+pub fn field_rows(
+    scenario: &str,
+    resolution: usize,
+    first_row: usize,
+    rows: usize,
+) -> Result<Vec<f32>, JsError> {
+    let scenario = Scenario::from_json(scenario)?;
+    let layout = layout(&scenario, resolution)?;
+    let field = with_dimension!(scenario.dimension, D => field_of::<D>(&scenario))?;
+    #[allow(clippy::cast_possible_truncation, reason = "colours need no more digits; read-outs are probes")]
+    Ok(field.rows(&layout, first_row, rows).into_iter().map(|value| value as f32).collect())
+}
+
+/// The bound of the scenario's body at a point of the world (D coordinates, m): the JSON of the crate's `PointBound`.
+///
+/// # Errors
+/// A sentence for a bad scenario or point.
+#[wasm_bindgen]
+pub fn field_probe(scenario: &str, point: &[f64]) -> Result<String, JsError> {
+    Ok(json(&exploration::bound_at(&Scenario::from_json(scenario)?, point)?))
+}
+
+/// The bound on the orientation (rad) where the sensors are as many times farther from the body's origin as each scale
+/// says; NaN where there is none.
+///
+/// # Errors
+/// A sentence for a bad scenario or scale.
+#[wasm_bindgen]
+pub fn size_curve(scenario: &str, scales: &[f64]) -> Result<Vec<f64>, JsError> {
+    let scenario = Scenario::from_json(scenario)?;
+    let curve = with_dimension!(scenario.dimension, D => {
+        let setup = scenario.setup::<D>()?;
+        orientation_against_size(&setup.model, &setup.availability, &setup.start, scenario.field.form, scales)
+    })?;
+    Ok(curve.into_iter().map(|bound| bound.unwrap_or(f64::NAN)).collect())
+}
+
+fn layout(scenario: &Scenario, resolution: usize) -> rangelab::Result<FieldLayout> {
+    with_dimension!(scenario.dimension, D => layout_of::<D>(scenario, resolution))
+}
