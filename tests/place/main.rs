@@ -9,3 +9,4 @@ mod limits;
 mod optima;
 mod scenes;
 mod search;
+mod value;
