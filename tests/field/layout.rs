@@ -1,6 +1,7 @@
 //! Where the grid lies.
 
 use rangelab::bounds::field::FieldLayout;
+use rangelab::math::float::{cos, sin};
 use rangelab::model::field_settings::FieldPlane;
 use rangelab::model::presets::{PRESETS, preset};
 use rangelab::with_dimension;
@@ -46,9 +47,9 @@ fn planes_lie_where_they_are_told() {
     assert_eq!((raised.corner[2], raised.u[2], raised.v[2]), (1.25, 0.0, 0.0));
     let heading = 0.5;
     let upright = layout::<3>(&scenario, FieldPlane::Vertical { heading, offset: 2.0 }, 10);
-    let across = -upright.corner[0] * heading.sin() + upright.corner[1] * heading.cos();
+    let across = -upright.corner[0] * sin(heading) + upright.corner[1] * cos(heading);
     assert!((across - 2.0).abs() < 1e-12, "{across} m off the origin");
-    assert!((upright.u[1] / upright.u[0] - heading.tan()).abs() < 1e-12);
+    assert!((upright.u[1] * cos(heading) - upright.u[0] * sin(heading)).abs() < 1e-12);
     assert_eq!((upright.v[0], upright.v[1]), (0.0, 0.0));
     let own = layout::<3>(&scenario, FieldPlane::Body, 10);
     let setup = scenario.setup::<3>().unwrap();

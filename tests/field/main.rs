@@ -1,11 +1,14 @@
 //! The field of a bound: the same numbers as the bound itself, at every point.
 
+#![allow(clippy::float_cmp, reason = "what is copied is the same")]
+
 mod availability;
 mod layout;
 
 use nalgebra::{SMatrix, SVector};
 use rangelab::bounds::field::{Field, FieldLayout, NONE};
 use rangelab::bounds::{fisher_information_of, unitary_crb};
+use rangelab::math::float::{cos, sin};
 use rangelab::math::pose::{Pose, Theta};
 use rangelab::math::rotation::Rotation;
 use rangelab::model::availability::Availability;
@@ -17,7 +20,7 @@ use rangelab::model::scenario::Scenario;
 use rangelab::with_dimension;
 
 /// The bound at one pose as `bounds` gives it, with the ranges that can be measured; `None` where there is none.
-pub fn bound_at<const D: usize>(
+fn bound_at<const D: usize>(
     model: &RangeModel<D>,
     availability: &Availability<D>,
     pose: &Pose<D>,
@@ -41,7 +44,7 @@ pub fn bound_at<const D: usize>(
 
 /// A body turned about the vertical.
 fn turned<const D: usize>(pose: &Pose<D>, angle: f64) -> Pose<D> {
-    let (s, c) = angle.sin_cos();
+    let (s, c) = (sin(angle), cos(angle));
     let mut matrix = SMatrix::<f64, D, D>::identity();
     (matrix[(0, 0)], matrix[(0, 1)], matrix[(1, 0)], matrix[(1, 1)]) = (c, -s, s, c);
     let rotation = Rotation::from_matrix(&(matrix * pose.rotation.matrix())).unwrap();
@@ -59,7 +62,8 @@ fn averaged<const D: usize>(
     let mut sum = 0.0;
     for k in 0..settings.headings {
         let pose = turned(pose, std::f64::consts::TAU * k as f64 / headings);
-        sum += bound_at(model, availability, &pose, settings)?.powi(2);
+        let bound = bound_at(model, availability, &pose, settings)?;
+        sum += bound * bound;
     }
     Some((sum / headings).sqrt())
 }

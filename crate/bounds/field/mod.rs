@@ -2,7 +2,9 @@
 
 pub mod kernel;
 pub mod layout;
+mod program;
 mod sum;
+mod trace;
 
 use alloc::vec::Vec;
 
@@ -136,7 +138,14 @@ impl Field {
 
     /// The trace of the bound from the information, in square metres; at least [`NONE`] where there is none.
     fn squared<N: Number>(&self, j: &kernel::Information<N>) -> N {
-        let (order, angles) = self.parameters();
+        let (trace, digits) = self.judged(j);
+        let seen = N::both(digits.above(trace.constant(LEAST_PART)), trace.above(trace.constant(0.0)));
+        N::choose(seen, trace, trace.constant(NONE))
+    }
+
+    /// The trace, and the least part of an information that it rests on.
+    fn judged<N: Number>(&self, j: &kernel::Information<N>) -> (N, N) {
+        let (order, angles) = self.order();
         let wanted = match self.quantity {
             Quantity::Position => self.dimension,
             Quantity::Orientation => angles,
@@ -144,14 +153,12 @@ impl Field {
         let order = &order[..angles + self.dimension];
         let (trace, digits) = trace_of_bound(j, order, wanted);
         let (eliminated, kept) = order.split_at(order.len() - wanted);
-        let least = trace.constant(LEAST_PART);
-        let comparable = N::both(least_part(j, eliminated).above(least), least_part(j, kept).above(least));
-        let seen = N::both(N::both(digits.above(least), comparable), trace.above(trace.constant(0.0)));
-        N::choose(seen, trace, trace.constant(NONE))
+        let smaller = |one: N, other: N| N::choose(one.above(other), other, one);
+        (trace, smaller(digits, smaller(least_part(j, eliminated), least_part(j, kept))))
     }
 
     /// The parameters of the information, those that are wanted last, and how many angles there are.
-    fn parameters(&self) -> ([usize; 6], usize) {
+    fn order(&self) -> ([usize; 6], usize) {
         let angles = rotation_angles(self.dimension);
         let order = match (self.dimension, self.quantity) {
             (2, Quantity::Position) => [2, 3, 4, 0, 0, 0],

@@ -4,6 +4,7 @@ import type { PlotSpec } from "./plots/spec";
 import type { PoseTrack } from "./run";
 import type { Scenario } from "./scenario";
 import type { Shape } from "./scene/draw-list";
+import type { FieldPicture } from "./scene/field";
 import type { Label, Layer, SceneInput } from "./scene/input";
 import type { StudyCurves } from "./study";
 
@@ -46,6 +47,8 @@ export interface Lab<R extends LabRun = LabRun> {
   /** Throws an `Error` with a sentence. */
   compute(scenario: Scenario): R;
   readonly layers: readonly Layer<R>[];
+  /** A grid of numbers under the layers, the same object as long as it shows the same; a lab without it draws none. */
+  field?(input: SceneInput<R>): FieldPicture | null;
   labels(input: SceneInput<R>): Label[];
   /** What one must know to read the scene as it is now, shown beside it; empty where it is plain. */
   note(input: SceneInput<R>): string;

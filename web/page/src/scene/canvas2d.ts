@@ -1,7 +1,8 @@
 import type { View } from "./view";
 import { type Color, type DrawList, STRIDE } from "./draw-list";
+import { FieldCanvas } from "./field-canvas";
 import { paintMark } from "./mark";
-import type { Renderer } from "./renderer";
+import type { ColouredField, Renderer } from "./renderer";
 
 interface Item {
   readonly depth: number;
@@ -16,6 +17,7 @@ export class Canvas2dRenderer implements Renderer {
   readonly backend = "canvas2d";
   readonly canvas = document.createElement("canvas");
   readonly #context: CanvasRenderingContext2D;
+  readonly #field = new FieldCanvas();
   #scale = 1;
 
   constructor() {
@@ -30,11 +32,12 @@ export class Canvas2dRenderer implements Renderer {
     this.#context.canvas.height = height;
   }
 
-  draw(list: DrawList, view: View, background: Color): void {
+  draw(list: DrawList, view: View, background: Color, field: ColouredField | null): void {
     const context = this.#context;
     this.#scale = context.canvas.width / Math.max(1, view.viewport.width);
     context.fillStyle = css(background);
     context.fillRect(0, 0, context.canvas.width, context.canvas.height);
+    if (field) this.#field.draw(context, field, view, this.#scale);
     const items = [
       ...this.#triangles(list.triangles, view),
       ...this.#ellipsoids(list.ellipsoids, view),

@@ -2,7 +2,15 @@ import { createWasmScene, type WasmScene } from "../engine";
 import { type Backend, offers, startWithin } from "./backends";
 import { Canvas2dRenderer } from "./canvas2d";
 import type { Color, DrawList } from "./draw-list";
+import type { FieldPicture } from "./field";
 import type { View } from "./view";
+import type { FieldColours } from "../theme/field-colours";
+
+/** A field with the colours of the theme. */
+export interface ColouredField {
+  readonly picture: FieldPicture;
+  readonly colours: FieldColours;
+}
 
 /** Draws lists of shapes on one canvas. */
 export interface Renderer {
@@ -10,16 +18,29 @@ export interface Renderer {
   readonly canvas: HTMLCanvasElement;
   /** Physical pixels. */
   resize(width: number, height: number): void;
-  draw(list: DrawList, view: View, background: Color): void;
+  /** The field is under everything else. */
+  draw(list: DrawList, view: View, background: Color, field: ColouredField | null): void;
   /** The device is gone: throw this renderer away and start another one on a new canvas. */
   lost(): boolean;
   free(): void;
+}
+
+const NOTHING = new Float32Array(0);
+
+/** In the order of the renderer's layout: scale, limit (0: none), opacity, hatch, no bound, count of stops, stops. */
+function fieldStyle({ picture, colours }: ColouredField): Float32Array {
+  const { low, high, worseThan, opacity } = picture;
+  const { hatch, noBound, stops } = colours;
+  const limit = worseThan ?? 0;
+  return Float32Array.of(low, high, limit, opacity, ...hatch, ...noBound, stops.length, ...stops.flat());
 }
 
 class WasmRenderer implements Renderer {
   readonly #scene: WasmScene;
   #width = 1;
   #height = 1;
+  /** What the module holds: it is not copied there again. */
+  #field: ColouredField | null = null;
 
   constructor(
     scene: WasmScene,
@@ -35,15 +56,25 @@ class WasmRenderer implements Renderer {
     this.#scene.resize(width, height);
   }
 
-  draw(list: DrawList, view: View, background: Color): void {
+  draw(list: DrawList, view: View, background: Color, field: ColouredField | null): void {
     const scene = this.#scene;
     scene.set_view(view.matrix, this.#width, this.#height);
     scene.set_background(background[0], background[1], background[2]);
+    this.#setField(field);
     scene.set_segments(list.segments);
     scene.set_points(list.points);
     scene.set_ellipsoids(list.ellipsoids);
     scene.set_triangles(list.triangles);
     scene.render();
+  }
+
+  #setField(field: ColouredField | null): void {
+    if (field?.picture === this.#field?.picture && field?.colours === this.#field?.colours) return;
+    this.#field = field;
+    if (!field) return this.#scene.set_field(NOTHING, 0, 0, NOTHING, NOTHING);
+    const { values, width, height, corner, u, v } = field.picture;
+    const rectangle = Float32Array.of(...corner, ...u, ...v);
+    this.#scene.set_field(values, width, height, rectangle, fieldStyle(field));
   }
 
   lost(): boolean {

@@ -1,7 +1,7 @@
 import { type Backend, wantedBackends } from "./backends";
 import { Canvas2dRenderer } from "./canvas2d";
 import type { Color, DrawList } from "./draw-list";
-import { type Renderer, startRenderer } from "./renderer";
+import { type ColouredField, type Renderer, startRenderer } from "./renderer";
 import type { View } from "./view";
 
 /** Milliseconds between looks whether the device is still there: it may go while nothing is drawn. */
@@ -37,9 +37,9 @@ export class Stage {
     this.#attempt(() => this.#renderer.resize(this.#width, this.#height));
   }
 
-  draw(list: DrawList, view: View, background: Color): void {
+  draw(list: DrawList, view: View, background: Color, field: ColouredField | null): void {
     if (this.#renderer.lost()) this.#replace();
-    this.#attempt(() => this.#renderer.draw(list, view, background));
+    this.#attempt(() => this.#renderer.draw(list, view, background, field));
     // A new canvas is shown once it has its first picture.
     const { canvas } = this.#renderer;
     if (canvas.parentElement !== this.#host) this.#host.replaceChildren(canvas);

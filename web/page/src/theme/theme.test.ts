@@ -1,32 +1,15 @@
-import {
-  converter,
-  differenceCiede2000,
-  filterDeficiencyDeuter,
-  filterDeficiencyProt,
-  filterDeficiencyTrit,
-  type Rgb,
-  wcagContrast,
-} from "culori";
+import { converter, differenceCiede2000, wcagContrast } from "culori";
 import { describe, expect, test } from "vitest";
 import { BOUND_LOOKS } from "../labs/track/plots";
 import { ESTIMATORS } from "../scenario";
+import { type Eye, EYES, tokensOf } from "./eyes.testing";
 import { MARKS, THEMES } from "./palette";
-import sheet from "./tokens.css?raw";
 
 /** CIEDE2000: 1 is about what a trained eye just sees with both colours side by side; 10 is plain at a glance. */
 const LEAST_DIFFERENCE = 10;
 /** WCAG 2.2: text, and lines and marks that carry meaning. */
 const LEAST_TEXT_CONTRAST = 4.5;
 const LEAST_LINE_CONTRAST = 3;
-
-/** Complete loss of one kind of receptor, after Machado, Oliveira and Fernandes (2009). */
-type Eye = (color: Rgb) => Rgb;
-const EYES: Record<string, Eye> = {
-  "three receptors": (color) => color,
-  protanopia: filterDeficiencyProt(1) as Eye,
-  deuteranopia: filterDeficiencyDeuter(1) as Eye,
-  tritanopia: filterDeficiencyTrit(1) as Eye,
-};
 
 const LINES = [...ESTIMATORS.map((estimator) => estimator.name as string), "truth"];
 const TEXTS: readonly (readonly [string, readonly string[]])[] = [
@@ -36,13 +19,6 @@ const TEXTS: readonly (readonly [string, readonly string[]])[] = [
   ["on-accent", ["accent"]],
   ["warning", ["warning-surface", "surface"]],
 ];
-
-function tokensOf(theme: string): Record<string, string> {
-  const block = sheet.split(`:root[data-theme="${theme}"] {`)[1]?.split("}")[0] ?? "";
-  return Object.fromEntries(
-    [...block.matchAll(/--([\w-]+): (#[0-9a-f]{6});/g)].map((match) => [match[1], match[2]]),
-  );
-}
 
 /** Pairs of colours that are less than the least difference apart. */
 function confused(tokens: Record<string, string>, eye: Eye): string[] {
