@@ -1,6 +1,6 @@
 //! The search for better places: projected gradients with spectral steps.
 //!
-//! Written here because the libraries that search within bounds (SLSQP and COBYLA translated from NLopt, PANOC) need `std`,
+//! Written here because the libraries that search within bounds (SLSQP and COBYLA after Kraft and Powell, PANOC) need `std`,
 //! read clocks or bring the platform's own powers, and none of them knows zones that may not be entered.
 
 use alloc::vec::Vec;
