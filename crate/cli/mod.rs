@@ -5,7 +5,9 @@ mod estimate;
 mod failure;
 mod input;
 mod output;
+mod place;
 mod presets;
+mod progress;
 mod run;
 mod simulate;
 mod study;
@@ -21,6 +23,7 @@ const EXAMPLES: &str = "\
 Examples:
   rangelab presets                               what is there to try
   rangelab study tracking-paper --trials 1000    errors, bounds and their ratios over many trials
+  rangelab place room -o better.json             where the anchors should stand
   rangelab run room --format csv -o run.csv      one trial, every step of every estimator
   rangelab presets room > mine.json              a scenario to edit, then: rangelab run mine.json
   rangelab simulate room | rangelab estimate -   what real ranges go through
@@ -43,6 +46,7 @@ pub enum Command {
     Simulate(simulate::SimulateCommand),
     Estimate(estimate::EstimateCommand),
     Study(study::StudyCommand),
+    Place(place::PlaceCommand),
     Presets(presets::PresetsCommand),
     Validate(validate::ValidateCommand),
 }
@@ -55,6 +59,7 @@ impl Command {
             Self::Simulate(command) => command.execute(),
             Self::Estimate(command) => command.execute(),
             Self::Study(command) => command.execute(),
+            Self::Place(command) => command.execute(),
             Self::Presets(command) => command.execute(),
             Self::Validate(command) => command.execute(),
         }

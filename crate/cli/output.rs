@@ -3,7 +3,7 @@
 use std::fmt::Display;
 use std::fs;
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use rangelab::model::run::Run;
@@ -28,17 +28,24 @@ pub enum RunFormat {
 impl Output {
     /// Writes a text that ends with a line feed, which is added where it is missing.
     pub fn write(&self, text: &str) -> Result<(), Failure> {
-        let end = if text.ends_with('\n') { "" } else { "\n" };
-        match &self.output {
-            None => write(io::stdout().lock(), text, end).map_err(|error| Failure::writing("stdout", &error)),
-            Some(path) => fs::File::create(path)
-                .and_then(|file| write(file, text, end))
-                .map_err(|error| Failure::writing(path.display(), &error)),
-        }
+        self.output.as_ref().map_or_else(|| print(text), |path| save(path, text))
     }
 }
 
-fn write(target: impl Write, text: &str, end: &str) -> io::Result<()> {
+/// Writes a text to stdout, with a line feed at its end.
+pub fn print(text: &str) -> Result<(), Failure> {
+    write(io::stdout().lock(), text).map_err(|error| Failure::writing("stdout", &error))
+}
+
+/// Writes a text to a file, with a line feed at its end.
+pub fn save(path: &Path, text: &str) -> Result<(), Failure> {
+    fs::File::create(path)
+        .and_then(|file| write(file, text))
+        .map_err(|error| Failure::writing(path.display(), &error))
+}
+
+fn write(target: impl Write, text: &str) -> io::Result<()> {
+    let end = if text.ends_with('\n') { "" } else { "\n" };
     let mut target = io::BufWriter::new(target);
     target.write_all(text.as_bytes())?;
     target.write_all(end.as_bytes())?;
