@@ -1,5 +1,6 @@
 import { expect, type Page, test } from "@playwright/test";
 import { violations, wear } from "./axe";
+import { Health } from "./health";
 import { Lab } from "./lab";
 
 /** The Explore lab, reached from Track as a visitor does. */
@@ -115,6 +116,26 @@ test("anchors in one plane hide a mirror image, and motions off the plane from p
   await expect(hidden).toContainText("anchors in one plane");
   await expect.poll(() => read(page, "body")).toContain("–");
   await expect(page.locator(".scene .note")).toContainText("no range sees");
+});
+
+test("every preset can be explored, with numbers or a reason why there are none", async ({ page }) => {
+  const health = new Health(page);
+  const lab = await openExplore(page);
+  const presets = page.getByLabel("Preset", { exact: true });
+  const names = await presets
+    .locator("option")
+    .evaluateAll((options) => options.map((option) => (option as HTMLOptionElement).value));
+  expect(names.length).toBeGreaterThan(5);
+  for (const name of names.filter((value) => value !== "")) {
+    await lab.openPreset(name);
+    await lab.settled();
+    await expect(lab.alert).toBeEmpty();
+    await health.expectGood(lab);
+    const bound = await read(page, "body");
+    const hidden = await page.locator(".cause").innerText();
+    if (bound.includes("–")) expect(hidden, name).toContain("Not all is seen");
+    else for (const number of bound) expect(Number(number), name).toBeGreaterThan(0);
+  }
 });
 
 test("axe finds nothing in any theme", async ({ page }) => {
