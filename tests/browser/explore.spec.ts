@@ -138,7 +138,7 @@ test("every preset can be explored, with numbers or a reason why there are none"
   }
 });
 
-test("axe finds nothing in any theme", async ({ page }) => {
+test("axe finds nothing in any theme, nor on a phone", async ({ page }) => {
   const lab = await openExplore(page);
   await lab.openGroups();
   await page.getByRole("button", { name: "Add a wall" }).click();
@@ -148,4 +148,7 @@ test("axe finds nothing in any theme", async ({ page }) => {
     await wear(page, theme);
     expect(await violations(page, "colours")).toEqual([]);
   }
+  await page.setViewportSize({ width: 390, height: 844 });
+  await lab.openSheet();
+  expect(await violations(page)).toEqual([]);
 });
