@@ -8,7 +8,7 @@ mod fingerprint;
 use std::fs;
 use std::path::PathBuf;
 
-use fingerprint::{fingerprints, study_fingerprint};
+use fingerprint::{fingerprints, geometry_fingerprints, study_fingerprint};
 use rangelab::model::presets::{PRESETS, Preset, preset};
 use rangelab::model::run::Run;
 use rangelab::study::monte_carlo::MonteCarlo;
@@ -65,10 +65,17 @@ fn studies_give_the_same_bits_as_ever() {
 }
 
 #[test]
+fn fields_and_placements_give_the_same_bits_as_ever() {
+    assert_eq!(geometry_fingerprints(), include_str!("golden/geometry.txt"));
+}
+
+#[test]
 #[ignore = "writes the golden files anew"]
 fn write_the_golden_files() {
     for preset in &PRESETS {
         fs::write(file(preset), fingerprints(&run(preset))).unwrap();
     }
-    fs::write(file(&PRESETS[0]).with_file_name("studies.txt"), studies()).unwrap();
+    let beside = |name: &str| file(&PRESETS[0]).with_file_name(name);
+    fs::write(beside("studies.txt"), studies()).unwrap();
+    fs::write(beside("geometry.txt"), geometry_fingerprints()).unwrap();
 }

@@ -1,7 +1,14 @@
 //! A short fingerprint of every number of a run, the same natively and in the browser only if every bit is.
 
+use rangelab::bounds::field::{Field, FieldLayout};
 use rangelab::model::document::entries::PoseEntries;
+use rangelab::model::field_settings::{FieldSettings, Quantity};
+use rangelab::model::presets::preset;
+use rangelab::model::ranging::RangeForm;
 use rangelab::model::run::{BoundRecord, Run, StepRecord};
+use rangelab::model::scenario::Scenario;
+use rangelab::place::improve;
+use rangelab::with_dimension;
 
 /// FNV-1a, 64 bits.
 struct Fingerprint(u64);
@@ -87,4 +94,28 @@ pub fn fingerprints(run: &Run) -> String {
 /// A line for the sums of a study, as the rows of numbers in which blocks of trials travel.
 pub fn study_fingerprint(name: &str, numbers: &[f64]) -> String {
     line(name, |hash| hash.numbers(numbers))
+}
+
+/// A line for the field and one for better anchors, of a scenario in the plane and of two in space.
+pub fn geometry_fingerprints() -> String {
+    let each = |name: &str| {
+        let scenario = preset(name).unwrap();
+        let field = with_dimension!(scenario.dimension, D => Ok(field_values::<D>(&scenario))).unwrap();
+        let anchors = |restart| improve(&scenario, restart).unwrap().anchors.concat();
+        let better: Vec<f64> = (0..2).flat_map(anchors).collect();
+        line(&format!("field of {name}"), |hash| hash.numbers(&field))
+            + &line(&format!("placement of {name}"), |hash| hash.numbers(&better))
+    };
+    ["planar", "room", "coplanar-ceiling"].map(each).concat()
+}
+
+fn field_values<const D: usize>(scenario: &Scenario) -> Vec<f64> {
+    let setup = scenario.setup::<D>().unwrap();
+    let value = |quantity, form, headings| {
+        let settings = FieldSettings { quantity, form, headings, ..FieldSettings::default() };
+        let layout = FieldLayout::new(setup.model.anchors(), &setup.start, &settings.plane, 17).unwrap();
+        Field::new(&setup.model, &setup.availability, &setup.start, &settings).rows(&layout, 0, layout.height)
+    };
+    [value(Quantity::Position, RangeForm::Raw, 1), value(Quantity::Orientation, RangeForm::Projected, 3)]
+        .concat()
 }

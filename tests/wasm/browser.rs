@@ -4,7 +4,7 @@
 #[path = "../golden/fingerprint.rs"]
 mod fingerprint;
 
-use fingerprint::{fingerprints, study_fingerprint};
+use fingerprint::{fingerprints, geometry_fingerprints, study_fingerprint};
 use rangelab::math::rotation::rotation_angles;
 use rangelab::model::presets::PRESETS;
 use rangelab::model::recording::RecordingDocument;
@@ -14,8 +14,9 @@ use rangelab::simulate::simulate;
 use rangelab::study::moments::Estimate;
 use rangelab::study::monte_carlo::MonteCarlo;
 use rangelab_wasm::{
-    StudySum, TrackRun, chi_squared_interval, complete, estimate, preset, presets, study_block, track,
-    validate,
+    StudySum, TrackRun, advise, chi_squared_interval, complete, estimate, explore, field_layout,
+    field_parameters, field_probe, field_program, field_rows, improve, preset, presets, size_curve,
+    study_block, track, validate,
 };
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
@@ -77,6 +78,38 @@ fn blocks_of_a_study_give_the_golden_bits() {
         study_fingerprint(name, &sum.to_numbers())
     };
     assert_eq!(study("planar") + &study("room"), include_str!("../golden/studies.txt"));
+}
+
+#[wasm_bindgen_test]
+fn fields_and_placements_give_the_golden_bits() {
+    assert_eq!(geometry_fingerprints(), include_str!("../golden/geometry.txt"));
+}
+
+/// The rows that workers give are those of the crate, in the single precision that colours need.
+#[wasm_bindgen_test]
+fn the_facade_of_the_field_hands_through() {
+    let scenario = preset("room").ok().unwrap();
+    let layout: Value = serde_json::from_str(&field_layout(&scenario, 20).ok().unwrap()).unwrap();
+    let (width, height) = (layout["width"].as_u64().unwrap(), layout["height"].as_u64().unwrap());
+    let (width, height) = (usize::try_from(width).unwrap(), usize::try_from(height).unwrap());
+    let all = field_rows(&scenario, 20, 0, height).ok().unwrap();
+    assert_eq!(all.len(), width * height);
+    assert_eq!(field_rows(&scenario, 20, 3, 2).ok().unwrap(), all[3 * width..5 * width]);
+    assert!(field_rows(&scenario, 0, 0, 1).is_err());
+    let found: Value = serde_json::from_str(&explore(&scenario).ok().unwrap()).unwrap();
+    let place: Vec<f64> = serde_json::from_value(found["pose"]["position"].clone()).unwrap();
+    let probe: Value = serde_json::from_str(&field_probe(&scenario, &place).ok().unwrap()).unwrap();
+    assert_eq!(probe["position_sigma"], found["position_sigma"]);
+    assert!(field_probe(&scenario, &[1.0]).is_err());
+    let curve = size_curve(&scenario, &[0.5, 1.0, 2.0]).ok().unwrap();
+    assert_eq!(curve[1].to_bits(), found["angle_sigma"].as_f64().unwrap().to_bits());
+    assert!(curve[0] > curve[1] && curve[1] > curve[2], "a larger body is a better compass: {curve:?}");
+    assert!(size_curve(&scenario, &[0.0]).is_err());
+    let advice: Value = serde_json::from_str(&advise(&scenario).ok().unwrap()).unwrap();
+    let better: Value = serde_json::from_str(&improve(&scenario, 0).ok().unwrap()).unwrap();
+    assert_eq!(advice["value"], better["before"]);
+    assert!(field_program(&scenario).ok().unwrap().contains("fn main"));
+    assert!(field_parameters(&scenario).ok().unwrap().iter().all(|x| x.is_finite()));
 }
 
 #[wasm_bindgen_test]
