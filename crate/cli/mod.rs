@@ -3,6 +3,7 @@
 mod choices;
 mod estimate;
 mod failure;
+mod field;
 mod input;
 mod output;
 mod presets;
@@ -22,6 +23,7 @@ Examples:
   rangelab presets                               what is there to try
   rangelab study tracking-paper --trials 1000    errors, bounds and their ratios over many trials
   rangelab run room --format csv -o run.csv      one trial, every step of every estimator
+  rangelab field room --format png -o field.png  the bound as a landscape
   rangelab presets room > mine.json              a scenario to edit, then: rangelab run mine.json
   rangelab simulate room | rangelab estimate -   what real ranges go through
 
@@ -43,6 +45,7 @@ pub enum Command {
     Simulate(simulate::SimulateCommand),
     Estimate(estimate::EstimateCommand),
     Study(study::StudyCommand),
+    Field(field::FieldCommand),
     Presets(presets::PresetsCommand),
     Validate(validate::ValidateCommand),
 }
@@ -55,6 +58,7 @@ impl Command {
             Self::Simulate(command) => command.execute(),
             Self::Estimate(command) => command.execute(),
             Self::Study(command) => command.execute(),
+            Self::Field(command) => command.execute(),
             Self::Presets(command) => command.execute(),
             Self::Validate(command) => command.execute(),
         }

@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 use std::fs;
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
@@ -29,19 +29,32 @@ impl Output {
     /// Writes a text that ends with a line feed, which is added where it is missing.
     pub fn write(&self, text: &str) -> Result<(), Failure> {
         let end = if text.ends_with('\n') { "" } else { "\n" };
+        self.write_parts(&[text.as_bytes(), end.as_bytes()])
+    }
+
+    /// Writes what is no text, but not into a terminal.
+    pub fn write_bytes(&self, bytes: &[u8]) -> Result<(), Failure> {
+        if self.output.is_none() && io::stdout().is_terminal() {
+            return Err(Failure::Usage("a picture is no text: name a file for it with -o".to_owned()));
+        }
+        self.write_parts(&[bytes])
+    }
+
+    fn write_parts(&self, parts: &[&[u8]]) -> Result<(), Failure> {
         match &self.output {
-            None => write(io::stdout().lock(), text, end).map_err(|error| Failure::writing("stdout", &error)),
+            None => write(io::stdout().lock(), parts).map_err(|error| Failure::writing("stdout", &error)),
             Some(path) => fs::File::create(path)
-                .and_then(|file| write(file, text, end))
+                .and_then(|file| write(file, parts))
                 .map_err(|error| Failure::writing(path.display(), &error)),
         }
     }
 }
 
-fn write(target: impl Write, text: &str, end: &str) -> io::Result<()> {
+fn write(target: impl Write, parts: &[&[u8]]) -> io::Result<()> {
     let mut target = io::BufWriter::new(target);
-    target.write_all(text.as_bytes())?;
-    target.write_all(end.as_bytes())?;
+    for part in parts {
+        target.write_all(part)?;
+    }
     target.flush()
 }
 
