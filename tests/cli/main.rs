@@ -1,6 +1,7 @@
 //! The built command line: what it writes, where, and with which exit code.
 
 mod command;
+mod field;
 mod refusals;
 
 use command::{Outcome, folder, rangelab, rangelab_with};

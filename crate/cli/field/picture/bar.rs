@@ -21,5 +21,8 @@ pub fn draw(canvas: &mut Canvas, frame: Frame, unit: &str, scale: Scale) {
         canvas.fill(Frame { left: bar.right(), top: y, width: TICK, height: 1 }, INK);
         canvas.text([bar.right() + TICK + 4, y - LINE / 2], &short(level), INK);
     }
+    if scale.more {
+        canvas.text([bar.right() + TICK + 4, bar.top - LINE / 2], "and more", INK);
+    }
     canvas.text([bar.left, bar.top - LINE - 12], &format!("{unit}, log scale"), INK);
 }

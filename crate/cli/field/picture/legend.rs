@@ -16,7 +16,7 @@ pub fn draw(canvas: &mut Canvas, frame: Frame, grid: &Grid) {
     let top = canvas.height - LINE - FROM_BELOW;
     let middle = top + LINE / 2;
     let mut left = frame.left;
-    marks::square(canvas, [left + SWATCH / 2, middle]);
+    marks::anchor_box(canvas, [left + SWATCH / 2, middle], "1");
     left = word(canvas, [left, top], "anchor");
     marks::cross(canvas, [left + SWATCH / 2, middle]);
     left = word(canvas, [left, top], "body");

@@ -7,30 +7,31 @@ use rangelab::math::float::{floor, log, pow};
 pub struct Scale {
     pub low: f64,
     pub high: f64,
+    /// Whether there are larger numbers: they have the last colour.
+    pub more: bool,
 }
 
-/// This part of the cells is beyond the high end: the few beside a place without a bound would take all colours.
+/// Where the numbers span more than this, a few may be beyond the high end: those beside a place without a bound would
+/// take all colours.
+const SPAN: f64 = 100.0;
+/// How many: this part of the cells.
 const BEYOND: f64 = 0.02;
 /// The ends differ at least by this factor, or rounding would be coloured.
 const LEAST_RATIO: f64 = 1.05;
 const MOST_LEVELS: usize = 10;
-/// First digits of levels, from few to many in a power of ten.
-const DIGITS: [&[&str]; 5] = [
-    &["1"],
-    &["1", "3"],
-    &["1", "2", "5"],
-    &["1", "1.5", "2", "3", "4", "5", "7"],
-    &["1", "1.2", "1.4", "1.6", "1.8", "2", "2.5", "3", "3.5", "4", "4.5", "5", "6", "7", "8", "9"],
-];
+/// First three digits of levels where there are few in a power of ten; where there are more, they are evenly apart.
+const DIGITS: [&[u16]; 3] = [&[100], &[100, 300], &[100, 200, 500]];
+const STEPS: [usize; 7] = [100, 50, 20, 10, 5, 2, 1];
 
 impl Scale {
     /// The scale of these numbers; none of no numbers.
     pub fn of(values: impl Iterator<Item = f64>) -> Option<Self> {
         let mut sorted: Vec<f64> = values.collect();
         sorted.sort_by(f64::total_cmp);
-        let low = *sorted.first()?;
-        let high = sorted[super::canvas::cell(1.0 - BEYOND, sorted.len())];
-        Some(Self { low, high: high.max(LEAST_RATIO * low) })
+        let (low, largest) = (*sorted.first()?, *sorted.last()?);
+        let most = sorted[super::canvas::cell(1.0 - BEYOND, sorted.len())];
+        let high = largest.min(most.max(SPAN * low)).max(LEAST_RATIO * low);
+        Some(Self { low, high, more: largest > high })
     }
 
     pub fn place(&self, value: f64) -> f64 {
@@ -39,16 +40,18 @@ impl Scale {
 
     /// Round numbers on it: as many as are told apart.
     pub fn levels(&self) -> Vec<f64> {
-        let sets = DIGITS.iter().map(|digits| self.levels_of(digits));
-        sets.filter(|levels| levels.len() <= MOST_LEVELS).last().unwrap_or_else(|| self.levels_of(DIGITS[0]))
+        let even = STEPS.iter().map(|step| (100..1000).step_by(*step).collect());
+        let digits = DIGITS.iter().map(|digits| digits.to_vec()).chain(even);
+        let sets = digits.map(|digits| self.levels_of(&digits));
+        sets.take_while(|levels| levels.len() <= MOST_LEVELS).last().unwrap_or_default()
     }
 
-    fn levels_of(&self, digits: &[&str]) -> Vec<f64> {
+    fn levels_of(&self, digits: &[u16]) -> Vec<f64> {
         let power = |value: f64| whole(floor(log(value) / core::f64::consts::LN_10));
-        let powers = power(self.low)..=power(self.high);
+        let powers = power(self.low) - 1..=power(self.high) + 1;
         // Read from decimal digits, a level is the number that is written beside it.
-        let levels =
-            powers.flat_map(|power| digits.iter().map(move |digit| format!("{digit}e{power}").parse()));
+        let level = |digit: u16, power: i32| format!("{digit}e{}", power - 2).parse();
+        let levels = powers.flat_map(|power| digits.iter().map(move |digit| level(*digit, power)));
         levels.flatten().filter(|level| (self.low..=self.high).contains(level)).collect()
     }
 }
