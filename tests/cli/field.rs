@@ -17,6 +17,13 @@ fn with_field(name: &str, change: impl FnOnce(&mut FieldSettings)) -> Scenario {
     scenario
 }
 
+/// Anchors in one plane, projected ranges: no bound anywhere.
+fn flat_ceiling() -> Scenario {
+    let mut scenario = with_field("coplanar-ceiling", |field| field.form = RangeForm::Projected);
+    scenario.anchors.iter_mut().for_each(|anchor| anchor[2] = 2.5);
+    scenario
+}
+
 /// The scenario in the comments of a table, and its rows: point and bound.
 fn table(text: &str) -> (Scenario, Vec<([f64; 3], Option<f64>)>) {
     let scenario = text.lines().find_map(|line| line.strip_prefix("# scenario: ")).unwrap();
@@ -39,6 +46,7 @@ fn value(scenario: &Scenario, point: [f64; 3]) -> Option<f64> {
 #[test]
 fn a_table_holds_the_numbers_of_the_field_and_its_scenario() {
     let vertical = FieldPlane::Vertical { heading: radians(30.0), offset: -2.0 };
+    let raised = FieldSettings { plane: FieldPlane::Horizontal { height: 0.7 }, ..flat_ceiling().field };
     let cases: [(&[&str], Scenario); 5] = [
         (&["planar"], with_field("planar", |_| ())),
         (&["room", "--quantity", "orientation"], with_field("room", |f| f.quantity = Quantity::Orientation)),
@@ -52,22 +60,18 @@ fn a_table_holds_the_numbers_of_the_field_and_its_scenario() {
                 (f.plane, f.headings, f.position_limit) = (FieldPlane::Body, 3, Some(0.01));
             }),
         ),
-        (
-            &["coplanar-ceiling", "--height", "0.7", "--form", "projected"],
-            with_field("coplanar-ceiling", |f| {
-                (f.plane, f.form) = (FieldPlane::Horizontal { height: 0.7 }, RangeForm::Projected);
-            }),
-        ),
+        (&["-", "--height", "0.7"], Scenario { field: raised, ..flat_ceiling() }),
     ];
     for (options, scenario) in cases {
-        let text = rangelab(&[&["field", "--resolution", "16"], options].concat()).data();
+        let command = [&["field", "--resolution", "16"], options].concat();
+        let text = rangelab_with(&flat_ceiling().to_json(), &command).data();
         let (written, rows) = table(&text);
         assert_eq!(written, scenario, "{options:?}");
         assert!(rows.len() >= 16 * 4, "{options:?}: {} rows", rows.len());
         for (point, found) in &rows {
             assert_eq!(*found, value(&scenario, *point), "{options:?} at {point:?}");
         }
-        let unseen = options.contains(&"coplanar-ceiling");
+        let unseen = options.contains(&"-");
         assert!(rows.iter().all(|(_, found)| found.is_none() == unseen), "{options:?}");
     }
 }
@@ -108,7 +112,7 @@ fn the_bounds_at_a_point_are_those_of_the_study() {
         let expected = format!("position bound: {} m\n", bound.position_sigma.unwrap());
         assert!(text.starts_with(&expected) && text.ends_with(&format!("{}\n", bound.sentence)), "{text}");
     }
-    let unseen = rangelab(&["field", "coplanar-ceiling", "--form", "projected", "--at", "1,1,1"]).data();
+    let unseen = rangelab_with(&flat_ceiling().to_json(), &["field", "-", "--at", "1,1,1"]).data();
     assert!(unseen.starts_with("position bound: none\norientation bound: none\n"), "{unseen}");
 }
 
@@ -116,7 +120,7 @@ fn the_bounds_at_a_point_are_those_of_the_study() {
 fn picture(options: &[&str]) -> (usize, Vec<[u8; 3]>, Scenario) {
     let file = folder(&format!("field{}", options.concat())).join("field.png");
     let command = [&["field", "--format", "png", "-o", file.to_str().unwrap()], options].concat();
-    assert_eq!(rangelab(&command).data(), "");
+    assert_eq!(rangelab_with(&flat_ceiling().to_json(), &command).data(), "");
     let decoder = png::Decoder::new(std::io::BufReader::new(std::fs::File::open(&file).unwrap()));
     let mut reader = decoder.read_info().unwrap();
     let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
@@ -136,7 +140,8 @@ fn a_picture_holds_its_scenario_and_shows_what_is_not_seen() {
     let (width, seen, scenario) = picture(&["room"]);
     assert_eq!((scenario, seen.len() % width), (preset("room").unwrap(), 0));
     assert_eq!(count(&seen, NO_BOUND), 0);
-    let (_, unseen, _) = picture(&["coplanar-ceiling", "--form", "projected"]);
+    let (_, unseen, scenario) = picture(&["-"]);
+    assert_eq!(scenario, flat_ceiling());
     assert!(count(&unseen, NO_BOUND) > unseen.len() / 4, "most of the picture is the field");
     // Lines 8 pixels apart over the whole field: about an eighth of more than half of the picture.
     let (_, hatched, scenario) = picture(&["room", "--limit", "0.001"]);
