@@ -7,6 +7,8 @@ use rangelab::model::ranging::RangeForm;
 use rangelab::model::scenario::Scenario;
 use rangelab::with_dimension;
 
+use super::picture::scale::short;
+
 pub struct Grid {
     pub scenario: Scenario,
     pub layout: FieldLayout,
@@ -62,7 +64,7 @@ impl Grid {
             FieldPlane::Level => format!("level through the body, z = {} m", self.layout.corner[2]),
             FieldPlane::Horizontal { height } => format!("horizontal, z = {height} m"),
             FieldPlane::Vertical { heading, offset } => {
-                format!("vertical, heading {:.4} deg, offset {offset} m", degrees(heading))
+                format!("vertical, heading {} deg, offset {offset} m", short(degrees(heading)))
             }
             FieldPlane::Body => "along the body's x and y axes".to_owned(),
         };

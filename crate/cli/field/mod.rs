@@ -41,11 +41,17 @@ pub struct FieldCommand {
     settings: SettingsOptions,
 
     /// Cells along the longer edge
-    #[arg(long, value_name = "COUNT", default_value_t = 128, help_heading = "Field")]
+    #[arg(long, value_name = "COUNT", default_value_t = 128, help_heading = "Output")]
     resolution: usize,
 
     /// Only the bounds at this point of the world, m: a sentence, or json
-    #[arg(long, value_name = "X,Y[,Z]", value_delimiter = ',', allow_hyphen_values = true)]
+    #[arg(
+        long,
+        value_name = "X,Y[,Z]",
+        value_delimiter = ',',
+        allow_hyphen_values = true,
+        help_heading = "Output"
+    )]
     #[arg(conflicts_with_all = ["plane", "height", "heading_deg", "offset", "quantity", "headings", "limit", "resolution"])]
     at: Option<Vec<f64>>,
 

@@ -21,7 +21,7 @@ pub struct PlaneOptions {
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
     heading_deg: Option<f64>,
 
-    /// vertical: how far the origin is to its right, m [default: 0]
+    /// vertical: how far it is to the left of the origin, m [default: 0]
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
     offset: Option<f64>,
 }

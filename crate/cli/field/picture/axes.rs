@@ -17,7 +17,7 @@ pub fn draw(canvas: &mut Canvas, frame: Frame, grid: &Grid) {
     for (part, text) in numbers(grid, &grid.layout.u) {
         let [x, _] = frame.pixel([part, 0.0]);
         canvas.fill(Frame { left: x, top: frame.bottom(), width: 1, height: TICK }, INK);
-        canvas.text([x - text_width(&text) / 2, frame.bottom() + TICK + 2], &text, INK);
+        canvas.text([x.saturating_sub(text_width(&text) / 2), frame.bottom() + TICK + 2], &text, INK);
     }
     let middle = (left + width / 2).saturating_sub(text_width(across) / 2);
     canvas.text([middle, frame.bottom() + TICK + 2 + LINE + 4], across, INK);

@@ -18,7 +18,7 @@ pub fn paint(canvas: &mut Canvas, frame: Frame, grid: &Grid, scale: Option<Scale
             let value = grid.values[cell(t, layout.height) * layout.width + cell(s, layout.width)];
             let worse = value.zip(grid.limit).is_some_and(|(value, limit)| value > limit);
             let colour = match (value, scale) {
-                (Some(_), _) if worse && hatched(i, j) => INK,
+                (Some(value), Some(scale)) if worse && hatched(i, j) => ink_on(scale.place(value)),
                 (Some(value), Some(scale)) => colour_at(scale.place(value)),
                 _ if cross_hatched(i, j) => INK,
                 _ => NO_BOUND,

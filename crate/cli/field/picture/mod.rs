@@ -7,7 +7,7 @@ mod colours;
 mod landscape;
 mod legend;
 mod marks;
-mod scale;
+pub mod scale;
 
 use std::fmt::Display;
 

@@ -50,7 +50,7 @@ impl Scale {
         let power = |value: f64| whole(floor(log(value) / core::f64::consts::LN_10));
         let powers = power(self.low) - 1..=power(self.high) + 1;
         // Read from decimal digits, a level is the number that is written beside it.
-        let level = |digit: u16, power: i32| format!("{digit}e{}", power - 2).parse();
+        let level = |digit: u16, power: i64| format!("{digit}e{}", power - 2).parse();
         let levels = powers.flat_map(|power| digits.iter().map(move |digit| level(*digit, power)));
         levels.flatten().filter(|level| (self.low..=self.high).contains(level)).collect()
     }
@@ -68,21 +68,27 @@ pub fn ticks(low: f64, high: f64) -> Vec<f64> {
         power
     };
     let first = whole(-floor(-low / step));
-    (first..=whole(floor(high / step))).map(|k| f64::from(k) * step).collect()
+    (first..=whole(floor(high / step))).map(|k| k as f64 * step).collect()
 }
 
-#[allow(clippy::cast_possible_truncation, reason = "a whole number far below 2^31; beyond, it saturates")]
-fn whole(value: f64) -> i32 {
-    value as i32
+#[allow(clippy::cast_possible_truncation, reason = "a whole number far below 2^63; beyond, it saturates")]
+fn whole(value: f64) -> i64 {
+    value as i64
 }
 
-/// As few digits as tell it: at most four.
+/// As few digits as tell it.
 pub fn short(value: f64) -> String {
     let size = value.abs();
     if size != 0.0 && !(1e-4..1e5).contains(&size) {
-        return format!("{value:e}");
+        let text = format!("{value:.9e}");
+        let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
+        return format!("{}e{power}", without_zeros(digits));
     }
     let text = format!("{value:.6}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
+    let text = without_zeros(&text);
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+fn without_zeros(decimals: &str) -> &str {
+    decimals.trim_end_matches('0').trim_end_matches('.')
 }
