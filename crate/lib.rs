@@ -11,6 +11,7 @@
 //! | [`bounds`] | CRB, UC-CRB and the posterior bounds: how well any estimator could do |
 //! | [`simulate`] | a scenario made into a recording, one random stream a trial |
 //! | [`study`] | one run or many, with standard errors |
+//! | [`place`] | where anchors should stand: the bound made small |
 //!
 //! Conventions: metres, seconds and radians unless a name says otherwise; transforms take the body frame to the world
 //! frame; rotation errors are perturbed on the right, `R exp(hat(phi))`; `vec` stacks columns.
@@ -30,6 +31,7 @@ pub mod bounds;
 pub mod error;
 pub mod math;
 pub mod model;
+pub mod place;
 pub mod simulate;
 pub mod study;
 pub mod track;

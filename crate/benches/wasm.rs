@@ -3,10 +3,13 @@
 
 #[allow(dead_code, reason = "the table is printed natively")]
 mod cases;
+mod field_case;
 
 use std::cell::RefCell;
 
 use cases::{CASES, Running};
+use field_case::FieldCase;
+use rangelab::model::ranging::RangeForm;
 
 thread_local! {
     static RUNNING: RefCell<Option<Running>> = const { RefCell::new(None) };
@@ -28,4 +31,10 @@ pub extern "C" fn start(case: usize) {
 #[unsafe(no_mangle)]
 pub extern "C" fn steps(count: usize) -> f64 {
     RUNNING.with_borrow_mut(|running| running.as_mut().map_or(f64::NAN, |running| running.steps(count)))
+}
+
+/// Computes a field, projected or raw.
+#[unsafe(no_mangle)]
+pub extern "C" fn field(projected: usize) -> f64 {
+    FieldCase::new(if projected == 0 { RangeForm::Raw } else { RangeForm::Projected }).pass()
 }

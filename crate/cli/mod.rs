@@ -6,7 +6,9 @@ mod failure;
 mod field;
 mod input;
 mod output;
+mod place;
 mod presets;
+mod progress;
 mod run;
 mod simulate;
 mod study;
@@ -22,6 +24,7 @@ const EXAMPLES: &str = "\
 Examples:
   rangelab presets                               what is there to try
   rangelab study tracking-paper --trials 1000    errors, bounds and their ratios over many trials
+  rangelab place room -o better.json             where the anchors should stand
   rangelab run room --format csv -o run.csv      one trial, every step of every estimator
   rangelab field room --format png -o field.png  the bound as a landscape
   rangelab presets room > mine.json              a scenario to edit, then: rangelab run mine.json
@@ -46,6 +49,7 @@ pub enum Command {
     Estimate(estimate::EstimateCommand),
     Study(study::StudyCommand),
     Field(field::FieldCommand),
+    Place(place::PlaceCommand),
     Presets(presets::PresetsCommand),
     Validate(validate::ValidateCommand),
 }
@@ -59,6 +63,7 @@ impl Command {
             Self::Estimate(command) => command.execute(),
             Self::Study(command) => command.execute(),
             Self::Field(command) => command.execute(),
+            Self::Place(command) => command.execute(),
             Self::Presets(command) => command.execute(),
             Self::Validate(command) => command.execute(),
         }

@@ -1,9 +1,10 @@
 //! Where data go: stdout, or a file.
 
+use std::borrow::Cow;
 use std::fmt::Display;
 use std::fs;
 use std::io::{self, IsTerminal, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use rangelab::model::run::Run;
@@ -28,33 +29,47 @@ pub enum RunFormat {
 impl Output {
     /// Writes a text that ends with a line feed, which is added where it is missing.
     pub fn write(&self, text: &str) -> Result<(), Failure> {
-        let end = if text.ends_with('\n') { "" } else { "\n" };
-        self.write_parts(&[text.as_bytes(), end.as_bytes()])
+        self.output.as_ref().map_or_else(|| print(text), |path| save(path, text))
     }
 
     /// Writes what is no text, but not into a terminal.
     pub fn write_bytes(&self, bytes: &[u8]) -> Result<(), Failure> {
-        if self.output.is_none() && io::stdout().is_terminal() {
-            return Err(Failure::Usage("a picture is no text: name a file for it with -o".to_owned()));
-        }
-        self.write_parts(&[bytes])
-    }
-
-    fn write_parts(&self, parts: &[&[u8]]) -> Result<(), Failure> {
         match &self.output {
-            None => write(io::stdout().lock(), parts).map_err(|error| Failure::writing("stdout", &error)),
-            Some(path) => fs::File::create(path)
-                .and_then(|file| write(file, parts))
-                .map_err(|error| Failure::writing(path.display(), &error)),
+            Some(path) => save_bytes(path, bytes),
+            None if io::stdout().is_terminal() => {
+                Err(Failure::Usage("a picture is no text: name a file for it with -o".to_owned()))
+            }
+            None => print_bytes(bytes),
         }
     }
 }
 
-fn write(target: impl Write, parts: &[&[u8]]) -> io::Result<()> {
-    let mut target = io::BufWriter::new(target);
-    for part in parts {
-        target.write_all(part)?;
-    }
+/// Writes a text to stdout, with a line feed at its end.
+pub fn print(text: &str) -> Result<(), Failure> {
+    print_bytes(&ended(text))
+}
+
+/// Writes a text to a file, with a line feed at its end.
+pub fn save(path: &Path, text: &str) -> Result<(), Failure> {
+    save_bytes(path, &ended(text))
+}
+
+fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
+    write(io::stdout().lock(), bytes).map_err(|error| Failure::writing("stdout", &error))
+}
+
+fn save_bytes(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    fs::File::create(path)
+        .and_then(|file| write(file, bytes))
+        .map_err(|error| Failure::writing(path.display(), &error))
+}
+
+fn ended(text: &str) -> Cow<'_, [u8]> {
+    if text.ends_with('\n') { text.as_bytes().into() } else { format!("{text}\n").into_bytes().into() }
+}
+
+fn write(mut target: impl Write, bytes: &[u8]) -> io::Result<()> {
+    target.write_all(bytes)?;
     target.flush()
 }
 

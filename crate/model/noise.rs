@@ -94,4 +94,10 @@ impl VarianceLaw {
         let s = if squared_range > SQUARED_RANGE_FLOOR { squared_range } else { SQUARED_RANGE_FLOOR };
         (self.linear + self.quadratic * s) * s
     }
+
+    /// Derivative of the variance; 0 where it is floored.
+    pub(crate) fn slope(self, squared_range: f64) -> f64 {
+        let above = squared_range > SQUARED_RANGE_FLOOR;
+        if above { self.linear + 2.0 * self.quadratic * squared_range } else { 0.0 }
+    }
 }

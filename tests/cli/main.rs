@@ -2,6 +2,7 @@
 
 mod command;
 mod field;
+mod place;
 mod refusals;
 
 use command::{Outcome, folder, rangelab, rangelab_with};

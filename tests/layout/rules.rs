@@ -8,7 +8,7 @@ const FLOORS: [&[&str]; 5] = [
     &["math"],
     &["model"],
     &["localize", "track", "inertial", "anchorless", "bounds", "simulate"],
-    &["study"],
+    &["study", "place"],
 ];
 const ESTIMATORS: [&str; 4] = ["localize", "track", "inertial", "anchorless"];
 const DOORS: [&str; 6] = ["lib.rs", "main.rs", "cli", "benches", "examples", "prelude.rs"];

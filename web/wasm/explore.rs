@@ -47,6 +47,27 @@ pub fn field_rows(
     Ok(field.rows(&layout, first_row, rows).into_iter().map(|value| value as f32).collect())
 }
 
+/// The program (WGSL) by which a graphics device computes the scenario's field from [`field_parameters`].
+///
+/// # Errors
+/// As [`field_layout`].
+#[wasm_bindgen]
+pub fn field_program(scenario: &str) -> Result<String, JsError> {
+    let scenario = Scenario::from_json(scenario)?;
+    Ok(with_dimension!(scenario.dimension, D => field_of::<D>(&scenario))?.program())
+}
+
+/// The numbers that [`field_program`] reads; the grid over the same rectangle may have any number of cells.
+///
+/// # Errors
+/// As [`field_layout`].
+#[wasm_bindgen]
+pub fn field_parameters(scenario: &str) -> Result<Vec<f32>, JsError> {
+    let scenario = Scenario::from_json(scenario)?;
+    let layout = layout(&scenario, 1)?;
+    Ok(with_dimension!(scenario.dimension, D => field_of::<D>(&scenario))?.parameters(&layout))
+}
+
 /// The bound of the scenario's body at a point of the world (D coordinates, m): the JSON of the crate's `PointBound`.
 ///
 /// # Errors

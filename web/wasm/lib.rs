@@ -4,6 +4,7 @@
 //! a sentence.
 
 mod explore;
+mod place;
 mod study;
 mod track_run;
 
@@ -17,7 +18,10 @@ use rangelab::{Error, Problem};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-pub use explore::{explore, field_layout, field_probe, field_rows, size_curve};
+pub use explore::{
+    explore, field_layout, field_parameters, field_probe, field_program, field_rows, size_curve,
+};
+pub use place::{advise, improve};
 pub use study::{StudySum, study_block};
 pub use track_run::TrackRun;
 

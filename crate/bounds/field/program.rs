@@ -71,15 +71,15 @@ impl Field {
     /// digits. It depends on the dimension, the form and the quantity alone.
     pub fn program(&self) -> String {
         let tape = Tape::default();
-        tape.write(HEAD);
+        tape.write(format_args!("{HEAD}"));
         self.pair(&tape);
-        tape.write("}");
+        tape.write(format_args!("}}"));
         sensor(&tape);
-        tape.write("}");
+        tape.write(format_args!("}}"));
         self.finish(&tape);
-        tape.write("}");
-        tape.write("let value = select(-1.0, sqrt(sum / f32(headings)) * scale, resolved);");
-        tape.write("textureStore(values, id.xy, vec4(value, 0.0, 0.0, 0.0));\n}");
+        tape.write(format_args!("}}"));
+        tape.write(format_args!("let value = select(-1.0, sqrt(sum / f32(headings)) * scale, resolved);"));
+        tape.write(format_args!("textureStore(values, id.xy, vec4(value, 0.0, 0.0, 0.0));\n}}"));
         tape.into_text()
     }
 
@@ -117,7 +117,7 @@ impl Field {
         let squared = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
         let w = weight(squared, law, u[0].constant(FLOOR), tape.variable("reach"));
         tape.write(format_args!("var w = {w};"));
-        tape.write(BLOCKS);
+        tape.write(format_args!("{BLOCKS}"));
         let block = BlockNumbers {
             centre: vector(tape, ["centre.x", "centre.y", "centre.z"]),
             heading: [tape.variable("direction.x"), tape.variable("direction.y")],

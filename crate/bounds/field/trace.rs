@@ -1,9 +1,8 @@
 //! Numbers that write down what is done with them, as statements of WGSL.
 
-use alloc::format;
 use alloc::string::String;
 use core::cell::{Cell, RefCell};
-use core::fmt::{Display, Write};
+use core::fmt::{self, Display, Write};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::math::number::Number;
@@ -41,7 +40,7 @@ enum Name {
 
 impl Tape {
     /// Writes program text of its own.
-    pub fn write(&self, text: impl Display) {
+    pub fn write(&self, text: fmt::Arguments) {
         // A string takes everything.
         let _ = writeln!(self.text.borrow_mut(), "{text}");
     }
@@ -61,13 +60,16 @@ impl Tape {
         self.text.into_inner()
     }
 
-    fn value(&self, expression: impl Display) -> Traced<'_> {
+    // One copy for all that is traced: this runs once a program, not once a point.
+    #[inline(never)]
+    fn value(&self, expression: fmt::Arguments) -> Traced<'_> {
         let name = self.next();
         self.write(format_args!("let v{name} = {expression};"));
         Traced { tape: self, name: Name::Value(name) }
     }
 
-    fn condition(&self, expression: impl Display) -> Condition<'_> {
+    #[inline(never)]
+    fn condition(&self, expression: fmt::Arguments) -> Condition<'_> {
         let name = self.next();
         self.write(format_args!("let c{name} = {expression};"));
         Condition { tape: self, name }
@@ -81,7 +83,7 @@ impl Tape {
 }
 
 impl Display for Traced<'_> {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.name {
             Name::Value(name) => write!(f, "v{name}"),
             // An exponent makes every constant a number with a fraction, as WGSL wants it.
@@ -108,7 +110,7 @@ impl Add for Traced<'_> {
         } else if other.is(0.0) {
             self
         } else {
-            self.tape.value(format!("{self} + {other}"))
+            self.tape.value(format_args!("{self} + {other}"))
         }
     }
 }
@@ -117,7 +119,7 @@ impl Sub for Traced<'_> {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
-        if other.is(0.0) { self } else { self.tape.value(format!("{self} - {other}")) }
+        if other.is(0.0) { self } else { self.tape.value(format_args!("{self} - {other}")) }
     }
 }
 
@@ -130,7 +132,7 @@ impl Mul for Traced<'_> {
         } else if other.is(0.0) || self.is(1.0) {
             other
         } else {
-            self.tape.value(format!("{self} * {other}"))
+            self.tape.value(format_args!("{self} * {other}"))
         }
     }
 }
@@ -139,7 +141,7 @@ impl Div for Traced<'_> {
     type Output = Self;
 
     fn div(self, other: Self) -> Self {
-        self.tape.value(format!("{self} / {other}"))
+        self.tape.value(format_args!("{self} / {other}"))
     }
 }
 
@@ -147,7 +149,7 @@ impl Neg for Traced<'_> {
     type Output = Self;
 
     fn neg(self) -> Self {
-        self.tape.value(format!("-{self}"))
+        self.tape.value(format_args!("-{self}"))
     }
 }
 
@@ -159,22 +161,22 @@ impl<'a> Number for Traced<'a> {
     }
 
     fn abs(self) -> Self {
-        self.tape.value(format!("abs({self})"))
+        self.tape.value(format_args!("abs({self})"))
     }
 
     fn above(self, other: Self) -> Condition<'a> {
-        self.tape.condition(format!("{self} > {other}"))
+        self.tape.condition(format_args!("{self} > {other}"))
     }
 
     fn both(one: Condition<'a>, other: Condition<'a>) -> Condition<'a> {
-        one.tape.condition(format!("c{} && c{}", one.name, other.name))
+        one.tape.condition(format_args!("c{} && c{}", one.name, other.name))
     }
 
     fn not(truth: Condition<'a>) -> Condition<'a> {
-        truth.tape.condition(format!("!c{}", truth.name))
+        truth.tape.condition(format_args!("!c{}", truth.name))
     }
 
     fn choose(truth: Condition<'a>, yes: Self, no: Self) -> Self {
-        truth.tape.value(format!("select({no}, {yes}, c{})", truth.name))
+        truth.tape.value(format_args!("select({no}, {yes}, c{})", truth.name))
     }
 }

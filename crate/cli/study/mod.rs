@@ -10,7 +10,6 @@ use std::num::NonZero;
 use std::thread::available_parallelism;
 
 use clap::{Args, ValueEnum};
-use indicatif::{ProgressBar, ProgressStyle};
 use rangelab::model::scenario::Scenario;
 use rangelab::study::monte_carlo::MonteCarlo;
 use rangelab::study::report::StudyReport;
@@ -19,6 +18,7 @@ use super::choices::Choices;
 use super::failure::Failure;
 use super::input::ScenarioInput;
 use super::output::Output;
+use super::progress::progress;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -106,11 +106,4 @@ impl StudyCommand {
             ))),
         }
     }
-}
-
-/// Drawn on stderr, and only where that is a terminal.
-fn progress(blocks: usize) -> ProgressBar {
-    let style = ProgressStyle::with_template("{bar:40} {percent:>3} %, {eta} left")
-        .expect("the template of the progress bar is right");
-    ProgressBar::new(blocks as u64).with_style(style)
 }

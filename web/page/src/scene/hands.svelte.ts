@@ -55,7 +55,11 @@ export class Hands implements SceneHands {
   movable = (thing: Thing) => movable(this.#session.scenario, thing);
   dragLimit = () => 20 * this.#look.frame.radius;
   gridSpacing = () => gridOf(this.view(), this.#look.frame, []).spacing;
-  setCamera = (camera: Camera) => this.#look.set(camera);
+  setCamera(camera: Camera): void {
+    this.#workspace.ray = null;
+    this.#look.set(camera);
+  }
+
   select = (things: readonly Thing[]) => actions.select(this.#session, things);
   toggle = (thing: Thing) => actions.toggle(this.#session, thing);
   frameThings = (corners: readonly [Pixel, Pixel] | null) => (this.rectangle = corners);
@@ -64,16 +68,19 @@ export class Hands implements SceneHands {
 
   hover(thing: Thing | null, pixel: Pixel): void {
     this.#workspace.hovered = thing;
+    this.#workspace.ray = this.#workspace.lab.field ? this.view().ray(pixel) : null;
     this.#pointer = pixel;
   }
 
   leave(): void {
     this.#workspace.hovered = null;
+    this.#workspace.ray = null;
     this.#pointer = null;
   }
 
   move(shift: Vec3, event: PointerEvent): void {
     this.awaiting = event;
+    this.#workspace.ray = null;
     this.#from ??= actions.movablePlaces(this.#session);
     actions.shiftBy(this.#session, this.#from, shift);
   }

@@ -1,0 +1,26 @@
+//! Floor 3: where anchors should stand. The bound of the ranges as a number to be made small, its slope with the place of
+//! each anchor, and a search that follows the slope within limits.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`figure`] | the number of one bound: A-, D- or E-optimality of position, orientation or both |
+//! | [`objective`] | that number over all places of the body: [`Placement`] |
+//! | [`gradient`] | its derivative with the place of each anchor |
+//! | [`zone`] | where anchors may stand |
+//! | [`optimise`] | the search within it |
+//! | [`mod@advise`] | the value and slope of a scenario's anchors |
+//! | [`mod@improve`] | a scenario with its anchors moved |
+
+pub mod advise;
+pub mod figure;
+pub mod gradient;
+pub mod improve;
+pub mod objective;
+pub mod optimise;
+mod poses;
+pub mod zone;
+
+pub use advise::{Advice, advise};
+pub use improve::{Improvement, improve};
+pub use objective::Placement;
+pub use zone::Zone;
