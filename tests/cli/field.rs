@@ -119,7 +119,22 @@ fn the_bounds_at_a_point_are_those_of_the_study() {
     assert!(unseen.starts_with("position bound: none\norientation bound: none\n"), "{unseen}");
 }
 
-/// Width, height, pixels, and the scenario that the picture holds.
+#[test]
+fn a_cell_and_the_bound_at_its_middle_agree() {
+    for (quantity, key) in [("position", "position_bound_m"), ("orientation", "orientation_bound_deg")] {
+        let (_, rows) =
+            table(&rangelab(&["field", "room", "--resolution", "8", "--quantity", quantity]).data());
+        for ([x, y, z], cell) in rows.iter().step_by(9) {
+            let text =
+                rangelab(&["field", "room", "--at", &format!("{x},{y},{z}"), "--format", "json"]).data();
+            let document: serde_json::Value = serde_json::from_str(&text).unwrap();
+            let (at, cell) = (document[key].as_f64().unwrap(), cell.unwrap());
+            assert!((at / cell - 1.0).abs() <= 1e-9, "{quantity} at {x}, {y}, {z}: {at} and {cell}");
+        }
+    }
+}
+
+/// Width, pixels, and the scenario that the picture holds.
 fn picture(options: &[&str]) -> (usize, Vec<[u8; 3]>, Scenario) {
     let file = folder(&format!("field{}", options.concat())).join("field.png");
     let command = [&["field", "--format", "png", "-o", file.to_str().unwrap()], options].concat();

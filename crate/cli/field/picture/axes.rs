@@ -14,10 +14,16 @@ pub fn draw(canvas: &mut Canvas, frame: Frame, grid: &Grid) {
     let [across, up] = names(&grid.scenario.field.plane);
     let Frame { left, top, width, .. } = frame;
     canvas.border(frame, INK);
+    let mut free = 0;
     for (part, text) in numbers(grid, &grid.layout.u) {
         let [x, _] = frame.pixel([part, 0.0]);
         canvas.fill(Frame { left: x, top: frame.bottom(), width: 1, height: TICK }, INK);
-        canvas.text([x.saturating_sub(text_width(&text) / 2), frame.bottom() + TICK + 2], &text, INK);
+        let start = x.saturating_sub(text_width(&text) / 2);
+        // Long numbers, of places far away, would run into each other.
+        if start >= free {
+            canvas.text([start, frame.bottom() + TICK + 2], &text, INK);
+            free = start + text_width(&text) + TICK;
+        }
     }
     let middle = (left + width / 2).saturating_sub(text_width(across) / 2);
     canvas.text([middle, frame.bottom() + TICK + 2 + LINE + 4], across, INK);
