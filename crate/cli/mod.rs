@@ -3,6 +3,7 @@
 mod choices;
 mod estimate;
 mod failure;
+mod field;
 mod input;
 mod output;
 mod place;
@@ -25,6 +26,7 @@ Examples:
   rangelab study tracking-paper --trials 1000    errors, bounds and their ratios over many trials
   rangelab place room -o better.json             where the anchors should stand
   rangelab run room --format csv -o run.csv      one trial, every step of every estimator
+  rangelab field room --format png -o field.png  the bound as a landscape
   rangelab presets room > mine.json              a scenario to edit, then: rangelab run mine.json
   rangelab simulate room | rangelab estimate -   what real ranges go through
 
@@ -46,6 +48,7 @@ pub enum Command {
     Simulate(simulate::SimulateCommand),
     Estimate(estimate::EstimateCommand),
     Study(study::StudyCommand),
+    Field(field::FieldCommand),
     Place(place::PlaceCommand),
     Presets(presets::PresetsCommand),
     Validate(validate::ValidateCommand),
@@ -59,6 +62,7 @@ impl Command {
             Self::Simulate(command) => command.execute(),
             Self::Estimate(command) => command.execute(),
             Self::Study(command) => command.execute(),
+            Self::Field(command) => command.execute(),
             Self::Place(command) => command.execute(),
             Self::Presets(command) => command.execute(),
             Self::Validate(command) => command.execute(),

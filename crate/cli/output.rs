@@ -1,8 +1,9 @@
 //! Where data go: stdout, or a file.
 
+use std::borrow::Cow;
 use std::fmt::Display;
 use std::fs;
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
@@ -30,25 +31,45 @@ impl Output {
     pub fn write(&self, text: &str) -> Result<(), Failure> {
         self.output.as_ref().map_or_else(|| print(text), |path| save(path, text))
     }
+
+    /// Writes what is no text, but not into a terminal.
+    pub fn write_bytes(&self, bytes: &[u8]) -> Result<(), Failure> {
+        match &self.output {
+            Some(path) => save_bytes(path, bytes),
+            None if io::stdout().is_terminal() => {
+                Err(Failure::Usage("a picture is no text: name a file for it with -o".to_owned()))
+            }
+            None => print_bytes(bytes),
+        }
+    }
 }
 
 /// Writes a text to stdout, with a line feed at its end.
 pub fn print(text: &str) -> Result<(), Failure> {
-    write(io::stdout().lock(), text).map_err(|error| Failure::writing("stdout", &error))
+    print_bytes(&ended(text))
 }
 
 /// Writes a text to a file, with a line feed at its end.
 pub fn save(path: &Path, text: &str) -> Result<(), Failure> {
+    save_bytes(path, &ended(text))
+}
+
+fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
+    write(io::stdout().lock(), bytes).map_err(|error| Failure::writing("stdout", &error))
+}
+
+fn save_bytes(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     fs::File::create(path)
-        .and_then(|file| write(file, text))
+        .and_then(|file| write(file, bytes))
         .map_err(|error| Failure::writing(path.display(), &error))
 }
 
-fn write(target: impl Write, text: &str) -> io::Result<()> {
-    let end = if text.ends_with('\n') { "" } else { "\n" };
-    let mut target = io::BufWriter::new(target);
-    target.write_all(text.as_bytes())?;
-    target.write_all(end.as_bytes())?;
+fn ended(text: &str) -> Cow<'_, [u8]> {
+    if text.ends_with('\n') { text.as_bytes().into() } else { format!("{text}\n").into_bytes().into() }
+}
+
+fn write(mut target: impl Write, bytes: &[u8]) -> io::Result<()> {
+    target.write_all(bytes)?;
     target.flush()
 }
 

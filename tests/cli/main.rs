@@ -1,6 +1,7 @@
 //! The built command line: what it writes, where, and with which exit code.
 
 mod command;
+mod field;
 mod place;
 mod refusals;
 

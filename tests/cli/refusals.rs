@@ -79,7 +79,7 @@ fn files_that_cannot_be_read_are_refused() {
     let folder = folder("refusals");
     let bytes = folder.join("bytes.json");
     std::fs::write(&bytes, [0xff, 0xfe, 0x00]).unwrap();
-    for command in ["run", "estimate", "validate", "simulate", "study", "place"] {
+    for command in ["run", "estimate", "validate", "simulate", "study", "field", "place"] {
         rangelab(&[command, folder.to_str().unwrap()]).refused("is a directory");
         rangelab(&[command, "no-such-file.json"]).refused("no-such-file.json: there is no such file");
         rangelab(&[command, bytes.to_str().unwrap()]).refused("valid UTF-8");
@@ -122,6 +122,10 @@ fn help_names_every_option_and_its_examples_work() {
             "--estimators --manifold --feedback --relative --decoupled --epsilon --metric --format --output",
         ),
         ("study", "--trials --threads --estimators --steps-shown --format --steps --seed --output"),
+        (
+            "field",
+            "--plane --height --heading-deg --offset --quantity --form --headings --limit --resolution --at --format --output",
+        ),
         ("place", "--restarts --threads --criterion --target --over --output --seed"),
         ("presets", "--output [NAME]"),
         ("validate", "--format --output <FILE>"),

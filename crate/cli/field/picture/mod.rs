@@ -1,0 +1,81 @@
+//! A field as a picture that needs no words beside it.
+
+mod axes;
+mod bar;
+mod canvas;
+mod colours;
+mod landscape;
+mod legend;
+mod marks;
+pub mod scale;
+
+use std::fmt::Display;
+
+use super::grid::Grid;
+use crate::cli::failure::Failure;
+use canvas::{Canvas, Frame};
+use colours::{INK, PAPER};
+use rangelab::math::float::sqrt;
+use scale::Scale;
+
+/// The longer edge of the field in pixels.
+const EDGE: usize = 640;
+const LEFT: usize = 88;
+const TOP: usize = 88;
+/// Colour bar and its numbers.
+const RIGHT: usize = 152;
+/// Numbers and name of the axis, and the legend.
+const BOTTOM: usize = 92;
+/// Room for the lines of the title.
+const LEAST_WIDTH: usize = 800;
+
+/// The picture as a PNG file; the chunk `Scenario` (iTXt) holds the scenario as JSON.
+pub fn png(grid: &Grid) -> Result<Vec<u8>, Failure> {
+    let canvas = draw(grid);
+    encode(&canvas, grid).map_err(unwritten)
+}
+
+fn draw(grid: &Grid) -> Canvas {
+    let [across, up] = [grid.layout.u, grid.layout.v].map(|edge| length(&edge));
+    let pixels = |edge: f64| canvas::cell(edge / across.max(up), EDGE) + 1;
+    let frame = Frame { left: LEFT, top: TOP, width: pixels(across), height: pixels(up) };
+    let mut canvas = Canvas::new((frame.right() + RIGHT).max(LEAST_WIDTH), frame.bottom() + BOTTOM, PAPER);
+    canvas.text([12, 12], &grid.title(), INK);
+    canvas.text([12, 34], &grid.subtitle(), INK);
+    let scale = Scale::of(grid.values.iter().copied().flatten());
+    landscape::paint(&mut canvas, frame, grid, scale);
+    if let Some(scale) = scale {
+        landscape::contours(&mut canvas, frame, grid, scale);
+        bar::draw(&mut canvas, frame, grid.unit(), scale);
+    }
+    marks::draw(&mut canvas, frame, grid);
+    axes::draw(&mut canvas, frame, grid);
+    legend::draw(&mut canvas, frame, grid);
+    canvas
+}
+
+fn encode(canvas: &Canvas, grid: &Grid) -> Result<Vec<u8>, png::EncodingError> {
+    let side = |pixels: usize| u32::try_from(pixels).map_err(|_| png::EncodingError::LimitsExceeded);
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, side(canvas.width)?, side(canvas.height)?);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.add_itxt_chunk("Title".to_owned(), grid.title())?;
+    encoder.add_itxt_chunk("Scenario".to_owned(), grid.scenario.to_json())?;
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(canvas.bytes())?;
+    writer.finish()?;
+    Ok(bytes)
+}
+
+fn unwritten(error: impl Display) -> Failure {
+    Failure::Other(format!("the picture cannot be made: {error}"))
+}
+
+fn length(edge: &[f64; 3]) -> f64 {
+    sqrt(dot(edge, edge))
+}
+
+fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
