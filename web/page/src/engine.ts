@@ -8,6 +8,9 @@ import type { Scene } from "./wasm/scene-webgpu/rangelab_scene.js";
 import { decodeRun, decodeStudy } from "./decode";
 import type { Preset } from "./generated/Preset";
 import type { Problem } from "./generated/Problem";
+import type { Exploration } from "./generated/Exploration";
+import type { FieldLayout } from "./generated/FieldLayout";
+import type { PointBound } from "./generated/PointBound";
 import type { Run } from "./run";
 import type { NamedTopology, Scenario } from "./scenario";
 import type { StudyCurves } from "./study";
@@ -78,6 +81,32 @@ export function track(scenario: Scenario): Run {
   } finally {
     run.free();
   }
+}
+
+/** What one epoch of ranges shows of the pose that the body starts in. Throws an `Error` with a sentence. */
+export function explore(scenario: Scenario): Exploration {
+  return JSON.parse(guarded(() => estimators.explore(JSON.stringify(scenario))));
+}
+
+/** Where the field of the bound lies; `resolution` is the number of cells along its longer edge. */
+export function fieldLayout(scenario: Scenario, resolution: number): FieldLayout {
+  return JSON.parse(guarded(() => estimators.field_layout(JSON.stringify(scenario), resolution)));
+}
+
+/** Some rows of the field, m or rad; 1e30 and above where no bound exists. */
+export function fieldRows(
+  scenario: Scenario,
+  resolution: number,
+  firstRow: number,
+  rows: number,
+): Float32Array {
+  return guarded(() => estimators.field_rows(JSON.stringify(scenario), resolution, firstRow, rows));
+}
+
+/** The bounds with the body at a point, D coordinates in m. */
+export function fieldProbe(scenario: Scenario, point: readonly number[]): PointBound {
+  const at = Float64Array.from(point);
+  return JSON.parse(guarded(() => estimators.field_probe(JSON.stringify(scenario), at)));
 }
 
 /** What `probability` of the numbers drawn from the distribution lies between, as much of the rest below as above. */

@@ -40,6 +40,8 @@ export interface Lab<R extends LabRun = LabRun> {
   readonly title: string;
   /** Labs stand in the header in this order; the first opens where a scenario names none. */
   readonly order: number;
+  /** Labs of one family can show each other's scenes: going from one to another keeps the scene. */
+  readonly family?: string;
   presets(): readonly Preset[];
   preset(name: string): Scenario;
   /** What opens without a link. */
@@ -54,7 +56,8 @@ export interface Lab<R extends LabRun = LabRun> {
   note(input: SceneInput<R>): string;
   /** What the scene shows, a sentence a thing, for those who do not see it; anchors and the true body are told already. */
   told(input: SceneInput<R>): readonly string[];
-  plots(scenario: Scenario, run: R): PlotSpec[];
+  /** A lab without it has no pane of plots. */
+  plots?(scenario: Scenario, run: R): PlotSpec[];
   /** The same plots of the averages over many trials; a lab without it has no such view. */
   studyPlots?(times: Float64Array, study: StudyCurves): PlotSpec[];
   marks(run: R): readonly TimelineMarks[];

@@ -64,11 +64,13 @@ export class Hands implements SceneHands {
 
   hover(thing: Thing | null, pixel: Pixel): void {
     this.#workspace.hovered = thing;
+    this.#workspace.ray = this.#workspace.lab.field ? this.view().ray(pixel) : null;
     this.#pointer = pixel;
   }
 
   leave(): void {
     this.#workspace.hovered = null;
+    this.#workspace.ray = null;
     this.#pointer = null;
   }
 

@@ -5,7 +5,7 @@ import type { Palette } from "../theme/palette";
 import type { DrawList } from "./draw-list";
 import type { Frame } from "./frame";
 import type { Vec3 } from "./geometry";
-import type { Pixel, View } from "./view";
+import type { Pixel, Ray, View } from "./view";
 
 /** Which uncertainty is drawn: ellipsoids of the position, fans of the axes. */
 export interface UncertaintyShown {
@@ -26,6 +26,8 @@ export interface SceneInput<R extends LabRun = LabRun> {
   readonly selected: readonly Thing[];
   readonly hovered: Thing | null;
   readonly uncertainty: UncertaintyShown;
+  /** The line of sight through the pointer, followed where the lab has a field to read; else null. */
+  readonly ray: Ray | null;
 }
 
 /** Adds its shapes to the picture. */

@@ -7,6 +7,7 @@ import {
   removeAnchors,
   roundTo,
   setEstimatorEnabled,
+  withAnchors,
 } from "./edit";
 
 const scenario = {
@@ -17,6 +18,8 @@ const scenario = {
     [0, 5, 1],
   ],
   estimators: { enabled: ["kf", "uc-kf"] },
+  availability: { max_ranges: [5, null, 7], obstacles: [] },
+  placement: { fixed: [0, 2] },
 } as unknown as Scenario;
 
 test("edits leave the old scenario alone", () => {
@@ -49,4 +52,19 @@ test("a room moves by centimetres, a field of a kilometre by metres", () => {
   expect(coordinateStep(field)).toBe(1);
   expect(roundTo(0.1 + 0.2, 0.01)).toBe(0.3);
   expect(roundTo(1234.56, 1)).toBe(1235);
+});
+
+test("limits of range and fixed anchors stay with their anchors", () => {
+  const fewer = removeAnchors(scenario, [1]);
+  expect([fewer.availability.max_ranges, fewer.placement.fixed]).toEqual([
+    [5, 7],
+    [0, 1],
+  ]);
+  const none = removeAnchors(scenario, [0, 2]);
+  expect([none.availability.max_ranges, none.placement.fixed]).toEqual([[null], []]);
+  expect(addAnchors(scenario, [[9, 9, 9]]).availability.max_ranges).toEqual([5, null, 7, null]);
+  const unlimited = { ...scenario, availability: { ...scenario.availability, max_ranges: [] } };
+  expect(addAnchors(unlimited, [[9, 9, 9]]).availability.max_ranges).toEqual([]);
+  const other = withAnchors(scenario, scenario.anchors.slice(0, 2));
+  expect([other.availability.max_ranges, other.placement.fixed]).toEqual([[5, null], [0]]);
 });

@@ -106,11 +106,12 @@ export class Session<R extends LabRun = LabRun> {
     return this.open(`Preset “${entry.title}” opened`, scenario);
   }
 
-  /** Goes to another lab: to the scene one left there, else to its first preset. */
+  /** Goes to another lab: with the scene, where it can show that; else to the one left there or its first preset. */
   openLab(lab: Lab): boolean {
     this.#left[this.lab.name] = this.scenario;
-    const scenario = this.#left[lab.name] ?? forLab(lab.preset(lab.firstPreset), lab, this.labs);
-    return this.open(`Lab ${lab.title} opened`, scenario);
+    const kept = lab.family !== undefined && lab.family === this.lab.family;
+    const scenario = kept ? this.scenario : (this.#left[lab.name] ?? lab.preset(lab.firstPreset));
+    return this.open(`Lab ${lab.title} opened`, forLab(scenario, lab, this.labs));
   }
 
   /** Opens the scenario of a link; a bad one is told in a sentence, leaves the address and changes nothing. */

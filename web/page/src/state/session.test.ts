@@ -138,3 +138,18 @@ test("a first scene that breaks the engine gives way to the preset, and a hopele
   expect(hopeless.failure).toContain("Reload the page");
   expect(fake.restarts).toBeLessThan(10);
 });
+
+test("a lab of the same family takes the scene along, another one opens a scene of its own", async () => {
+  const [one] = await labs();
+  const cousin = { ...one, name: "cousin", family: "body" } as Lab;
+  const stranger = { ...one, name: "stranger" } as Lab;
+  const session = new Session(scenario(7), [{ ...one, family: "body" } as Lab, cousin, stranger]);
+  session.openLab(cousin);
+  expect([session.lab.name, session.scenario.seed]).toEqual(["cousin", 7]);
+  session.edit("Seed set to 8", { ...session.scenario, seed: 8 });
+  session.openLab(stranger);
+  expect([session.lab.name, session.scenario.seed]).toEqual(["stranger", 0]);
+  session.openLab(cousin);
+  expect([session.lab.name, session.scenario.seed]).toEqual(["cousin", 8]);
+  await settle();
+});

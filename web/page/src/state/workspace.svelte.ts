@@ -1,6 +1,7 @@
 import { getContext, setContext } from "svelte";
 import { MediaQuery } from "svelte/reactivity";
 import type { Lab, LabRun } from "../lab";
+import type { Ray } from "../scene/view";
 import {
   applyTheme,
   type Palette,
@@ -40,6 +41,8 @@ export class Workspace<R extends LabRun = LabRun> {
   helpOpen = $state(false);
   /** What is under the pointer. */
   hovered: Thing | null = $state(null);
+  /** The line of sight through the pointer, while it is over the scene of a lab with a field. */
+  ray: Ray | null = $state.raw(null);
   /** Averages over many trials, while the plots show them instead of one run. */
   study: StudyPicture | null = $state.raw(null);
   /** The one estimator that stands out in the plots, or null. */

@@ -1,4 +1,6 @@
 import { DEGREES_PER_RADIAN, formatReading } from "../../controls/format";
+import { bodyRadius } from "../../rigid-body/drawn";
+import { centroid } from "../../rigid-body/topologies";
 import type { Run } from "../../run";
 import type { Scenario } from "../../scenario";
 
@@ -125,13 +127,4 @@ function mismatch(what: string, assumed: number, real: number): string | null {
   return assumed < real
     ? `${what}: ${formatReading(real / assumed)} times too little, so the filters trust their prediction and lag.`
     : `${what}: ${formatReading(assumed / real)} times too much, so they trust single ranges and jitter.`;
-}
-
-export function centroid(points: readonly (readonly number[])[]): number[] {
-  return points[0].map((_, axis) => points.reduce((sum, point) => sum + point[axis], 0) / points.length);
-}
-
-/** Distance of the farthest sensor from the body's origin, m. */
-export function bodyRadius({ sensors }: Scenario): number {
-  return Math.max(...sensors.map((sensor) => Math.hypot(...sensor)));
 }

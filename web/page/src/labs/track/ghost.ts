@@ -1,6 +1,6 @@
 import type { Run } from "../../run";
 import type { Layer } from "../../scene/input";
-import { drawnSensors, hullOfSensors } from "./drawn";
+import { drawnSensors, hullOfSensors } from "../../rigid-body/drawn";
 
 /** Where the body truly is at the step under the pointer in a plot. */
 export const ghost: Layer<Run> = (input, out) => {

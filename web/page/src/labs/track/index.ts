@@ -1,12 +1,10 @@
 import { preset, presets, track } from "../../engine";
 import type { Lab } from "../../lab";
 import type { Run } from "../../run";
-import { add, scale } from "../../scene/geometry";
+import { axisLabels } from "../../rigid-body/layers";
 import { anchorLabels, anchors } from "../../scene/anchors";
 import { ground, groundLabels } from "../../scene/ground";
-import type { Label, SceneInput } from "../../scene/input";
 import Controls from "./controls/Panel.svelte";
-import { axesOf, axisLength, drawnPosition } from "./drawn";
 import { estimates, ranges, truth } from "./layers";
 import { eventSteps, plots } from "./plots";
 import { studyPlots } from "./study-plots";
@@ -22,6 +20,7 @@ export const lab: Lab<Run> = {
   name: "track",
   title: "Track",
   order: 1,
+  family: "rigid body",
   presets,
   preset,
   firstPreset: "room",
@@ -50,21 +49,3 @@ export const lab: Lab<Run> = {
   Controls,
   Readout,
 };
-
-/** Letters just beyond the tips of the axes. */
-function axisLabels(input: SceneInput<Run>, run: Run): Label[] {
-  const start = drawnPosition(run, run.truth, input.step, input.frame.magnification);
-  const from = input.view.project(start);
-  return axesOf(run, run.truth, input.step).map((axis, index) => {
-    const at = add(start, scale(axis, axisLength(input)));
-    const to = input.view.project(at);
-    const share = 11 / Math.max(1, Math.hypot(to.x - from.x, to.y - from.y));
-    return {
-      id: `axis ${index}`,
-      at,
-      text: "xyz"[index],
-      kind: "axis",
-      offset: { x: (to.x - from.x) * share, y: (to.y - from.y) * share },
-    };
-  });
-}

@@ -1,7 +1,7 @@
 import type { Run } from "../../run";
 import { pointAt } from "../../run";
 import type { PathSettings, Scenario } from "../../scenario";
-import { boxOf } from "./arrangements";
+import { boxOf } from "../../rigid-body/arrangements";
 import { simplified } from "./drawing";
 
 /** What the body can follow, and what each path starts as. */

@@ -1,7 +1,7 @@
 import { DEGREES_PER_RADIAN, formatReading } from "../../../controls/format";
 import { type BoundRun, type EstimatorRun, matrixAt, type Run, runsAt } from "../../../run";
 import { eventSteps } from "../plots";
-import { asSentence, countOf, joined } from "../words";
+import { asSentence, countOf, joined } from "../../../words";
 import type { Finding } from "./index";
 
 /** Estimators that gave up, with the reason of the first. */

@@ -1,7 +1,7 @@
 import { formatNumber, formatReading } from "../../../controls/format";
 import type { Run } from "../../../run";
 import { weakDirection } from "../directions";
-import { asSentence, countOf, startOf } from "../words";
+import { asSentence, countOf, startOf } from "../../../words";
 import type { Finding } from "./index";
 
 /** What the anchors cannot show, or show badly. */

@@ -1,5 +1,5 @@
-import { topologies } from "../../engine";
-import type { NamedTopology } from "../../scenario";
+import { topologies } from "../engine";
+import type { NamedTopology } from "../scenario";
 
 /** Bodies in other sizes than that in which they come. */
 
@@ -28,6 +28,10 @@ export function topologyOf(sensors: readonly (readonly number[])[]): NamedTopolo
         1e-4 * size,
     );
   return topologies(sensors[0].length).find(fits) ?? null;
+}
+
+export function centroid(points: readonly (readonly number[])[]): number[] {
+  return points[0].map((_, axis) => points.reduce((sum, point) => sum + point[axis], 0) / points.length);
 }
 
 function distance(one: readonly number[], other: readonly number[]): number {

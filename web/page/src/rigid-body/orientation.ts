@@ -1,4 +1,4 @@
-import { DEGREES_PER_RADIAN } from "../../controls/format";
+import { DEGREES_PER_RADIAN } from "../controls/format";
 
 /** Orientations as people type them: degrees about the axes, `R = R_z(yaw) R_y(pitch) R_x(roll)`; in the plane one heading. */
 

@@ -1,8 +1,9 @@
-import { matrixAt, pointAt, type PoseTrack, type Run } from "../../run";
-import type { Scenario } from "../../scenario";
-import { add, lift, scale, sub, transform, type Vec3 } from "../../scene/geometry";
-import { type Hull, hullOf } from "../../scene/hull";
-import type { SceneInput } from "../../scene/input";
+import type { LabRun } from "../lab";
+import { matrixAt, pointAt, type PoseTrack } from "../run";
+import type { Scenario } from "../scenario";
+import { add, lift, scale, sub, transform, type Vec3 } from "../scene/geometry";
+import { type Hull, hullOf } from "../scene/hull";
+import type { SceneInput } from "../scene/input";
 
 /** Where things of a run are drawn: bodies and errors are magnified around the true position. */
 
@@ -16,15 +17,15 @@ export function hullOfSensors(sensors: Scenario["sensors"]): Hull {
 }
 
 /** Where an estimate is drawn: its error from the truth is as much larger as the body is. */
-export function drawnPosition(run: Run, track: PoseTrack, step: number, magnification: number): Vec3 {
+export function drawnPosition(run: LabRun, track: PoseTrack, step: number, magnification: number): Vec3 {
   const truth = pointAt(run.truth.positions, step, run.dimension);
   if (track === run.truth) return truth;
   return add(truth, scale(sub(pointAt(track.positions, step, run.dimension), truth), magnification));
 }
 
 export function drawnSensors(
-  { scenario, frame }: SceneInput<Run>,
-  run: Run,
+  { scenario, frame }: SceneInput<LabRun>,
+  run: LabRun,
   track: PoseTrack,
   step: number,
 ): Vec3[] {
@@ -36,12 +37,12 @@ export function drawnSensors(
 }
 
 /** Metres that the axes of the body are drawn long. */
-export function axisLength({ frame, scenario }: SceneInput<Run>): number {
+export function axisLength({ frame, scenario }: SceneInput<LabRun>): number {
   return 1.6 * frame.magnification * Math.max(...scenario.sensors.map((sensor) => Math.hypot(...sensor)));
 }
 
 /** Unit vectors along the axes of a body, two in the plane. */
-export function axesOf(run: Run, track: PoseTrack, step: number): Vec3[] {
+export function axesOf(run: LabRun, track: PoseTrack, step: number): Vec3[] {
   const rotation = matrixAt(track.orientations, step, run.dimension, 1);
   const column = (i: number): Vec3 => [rotation[0][i], rotation[1][i], rotation[2][i]];
   return run.dimension === 2 ? [column(0), column(1)] : [column(0), column(1), column(2)];
@@ -50,7 +51,7 @@ export function axesOf(run: Run, track: PoseTrack, step: number): Vec3[] {
 const paths = new WeakMap<PoseTrack, { magnification: number; points: Float32Array }>();
 
 /** All drawn positions of a track, three coordinates each; kept while only time and camera change. */
-export function pathOf(run: Run, track: PoseTrack, magnification: number): Float32Array {
+export function pathOf(run: LabRun, track: PoseTrack, magnification: number): Float32Array {
   const known = paths.get(track);
   if (known?.magnification === magnification) return known.points;
   const points = new Float32Array(3 * run.steps);
@@ -58,4 +59,9 @@ export function pathOf(run: Run, track: PoseTrack, magnification: number): Float
     points.set(drawnPosition(run, track, step, magnification), 3 * step);
   paths.set(track, { magnification, points });
   return points;
+}
+
+/** Distance of the farthest sensor from the body's origin, m. */
+export function bodyRadius({ sensors }: Scenario): number {
+  return Math.max(...sensors.map((sensor) => Math.hypot(...sensor)));
 }

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
-import type { Run } from "../../run";
-import type { RangeNoise } from "../../scenario";
+import type { Run } from "../run";
+import type { RangeNoise } from "../scenario";
 import { medianRange, rangeDeviation, sameNoiseAs } from "./noise-level";
 
 const run = {

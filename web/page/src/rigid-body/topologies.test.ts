@@ -1,8 +1,7 @@
 import { beforeAll, describe, expect, test } from "vitest";
-import { topologies } from "../../engine";
-import { loadEngineForTests } from "../../engine.testing";
-import { centroid } from "./cautions";
-import { scaled, sizeOf, topologyOf } from "./topologies";
+import { topologies } from "../engine";
+import { loadEngineForTests } from "../engine.testing";
+import { centroid, scaled, sizeOf, topologyOf } from "./topologies";
 
 beforeAll(loadEngineForTests);
 

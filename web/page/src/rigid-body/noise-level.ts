@@ -1,6 +1,6 @@
-import type { Run } from "../../run";
-import { pointAt } from "../../run";
-import type { RangeNoise } from "../../scenario";
+import type { LabRun } from "../lab";
+import { pointAt } from "../run";
+import type { RangeNoise } from "../scenario";
 
 /** What a noise level means in metres, whatever its model: the models name it differently. */
 
@@ -8,7 +8,7 @@ import type { RangeNoise } from "../../scenario";
 const MOST_STEPS = 50;
 
 /** Median over time and anchors of the distance between body and anchor, m. */
-export function medianRange(run: Run): number {
+export function medianRange(run: LabRun): number {
   const stride = Math.max(1, Math.floor(run.steps / MOST_STEPS));
   const ranges: number[] = [];
   for (let step = 0; step < run.steps; step += stride) {

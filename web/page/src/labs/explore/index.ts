@@ -1,0 +1,42 @@
+import { preset, presets } from "../../engine";
+import type { Lab } from "../../lab";
+import { axisLabels } from "../../rigid-body/layers";
+import { anchorLabels, anchors } from "../../scene/anchors";
+import { ground, groundLabels } from "../../scene/ground";
+import Controls from "./controls/Panel.svelte";
+import { fields, picture } from "./fields";
+import { body, bounds, contourLabels, contours, ghosts, ranges, reading, twin } from "./layers";
+import { obstacles } from "./obstacles";
+import Readout from "./Readout.svelte";
+import { type ExploreRun, runOf } from "./run";
+import { describe, note, told } from "./told";
+
+/** Where anchors should stand: the bound as a landscape, and what the geometry cannot see. */
+export const lab: Lab<ExploreRun> = {
+  name: "explore",
+  title: "Explore",
+  order: 2,
+  family: "rigid body",
+  presets,
+  preset,
+  firstPreset: "room",
+  compute(scenario) {
+    const run = runOf(scenario);
+    fields.show(scenario);
+    return run;
+  },
+  layers: [ground, contours, obstacles, ranges, bounds, body, ghosts, twin, reading, anchors],
+  field: picture,
+  labels: (input) => [
+    ...anchorLabels(input),
+    ...(input.run ? axisLabels(input, input.run) : []),
+    ...contourLabels(input),
+    ...groundLabels(input),
+  ],
+  note,
+  told,
+  marks: () => [],
+  describe,
+  Controls,
+  Readout,
+};
