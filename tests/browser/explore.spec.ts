@@ -1,12 +1,10 @@
 import { expect, type Page, test } from "@playwright/test";
 import { violations, wear } from "./axe";
-import { Health } from "./health";
 import { Lab } from "./lab";
-import { graphicsBrowser } from "./playwright.config";
 
 /** The Explore lab, reached from Track as a visitor does. */
-async function openExplore(page: Page, address?: string): Promise<Lab> {
-  const lab = await Lab.open(page, address);
+async function openExplore(page: Page): Promise<Lab> {
+  const lab = await Lab.open(page);
   await page.getByRole("navigation", { name: "Labs" }).getByRole("button", { name: "Explore" }).click();
   await expect(bounds(page)).toBeVisible();
   return lab;
@@ -129,39 +127,4 @@ test("axe finds nothing in any theme", async ({ page }) => {
     await wear(page, theme);
     expect(await violations(page, "colours")).toEqual([]);
   }
-});
-
-test.describe("where a graphics device may compute the field", () => {
-  test.use({ launchOptions: graphicsBrowser });
-
-  /** The renderer says on its canvas that it draws what the device computed. */
-  const fine = (page: Page) => page.locator(".host canvas[data-fine-field]");
-
-  test("WebGPU draws a finer field, and the next one after an anchor moved", async ({ page }) => {
-    test.setTimeout(180_000);
-    const warnings: string[] = [];
-    page.on("console", (message) => message.type() === "warning" && warnings.push(message.text()));
-    const health = new Health(page);
-    const lab = await openExplore(page, "./?renderer=webgpu&theme=light");
-    await expect(lab.scene).toHaveAttribute("data-backend", "webgpu");
-    await expect(fine(page)).toHaveCount(1, { timeout: 60_000 });
-    const picture = await lab.surface.screenshot();
-    await lab.drag(2, -60, 40);
-    await expect(lab.status).toContainText("Anchor 2 moved to");
-    await expect(fine(page)).toHaveCount(1, { timeout: 60_000 });
-    expect((await lab.surface.screenshot()).equals(picture)).toBe(false);
-    expect(warnings.filter((text) => text.includes("field"))).toEqual([]);
-    await health.expectGood(lab);
-  });
-
-  test("WebGL2 draws the coarse field", async ({ page }) => {
-    test.setTimeout(180_000);
-    const health = new Health(page);
-    const lab = await openExplore(page, "./?renderer=webgl&theme=light");
-    await expect(lab.scene).toHaveAttribute("data-backend", "webgl");
-    await lab.drag(2, -60, 40);
-    await expect(lab.status).toContainText("Anchor 2 moved to");
-    await expect(fine(page)).toHaveCount(0);
-    await health.expectGood(lab);
-  });
 });
