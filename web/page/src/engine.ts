@@ -103,6 +103,16 @@ export function fieldRows(
   return guarded(() => estimators.field_rows(JSON.stringify(scenario), resolution, firstRow, rows));
 }
 
+/** The program (WGSL) by which a graphics device computes the field from `fieldParameters`. */
+export function fieldProgram(scenario: Scenario): string {
+  return guarded(() => estimators.field_program(JSON.stringify(scenario)));
+}
+
+/** What the field's program reads; its grid over the same rectangle may have any number of cells. */
+export function fieldParameters(scenario: Scenario): Float32Array {
+  return guarded(() => estimators.field_parameters(JSON.stringify(scenario)));
+}
+
 /** The bounds with the body at a point, D coordinates in m. */
 export function fieldProbe(scenario: Scenario, point: readonly number[]): PointBound {
   const at = Float64Array.from(point);

@@ -3,6 +3,18 @@ import type { Vec3 } from "./geometry";
 /** Numbers of this size and larger mean that no bound exists there. */
 export const UNBOUNDED = 1e30;
 
+/** Computes a field's numbers on a graphics device, over the same rectangle; the same object asks for the same numbers. */
+export interface FieldProgram {
+  /** Programs of one key have one text. */
+  readonly key: string;
+  /** WGSL, as the scene module's `set_field_kernel` takes it. */
+  readonly text: string;
+  readonly parameters: Float32Array;
+  /** Cells along u and v. */
+  readonly width: number;
+  readonly height: number;
+}
+
 /**
  * A grid of positive numbers over a rectangle in space, shown by colours on a logarithmic scale. It never changes: another
  * field is another object, for renderers keep what they made of one.
@@ -23,6 +35,8 @@ export interface FieldPicture {
   readonly worseThan: number | null;
   /** 0..1; `--field-opacity` leaves what is drawn over the field readable. */
   readonly opacity: number;
+  /** What a renderer that can compute draws finer values by; null or left out: there are none. */
+  readonly program?: FieldProgram | null;
 }
 
 /** Where a number is on the scale: 0 at its low end, 1 at its high end, beyond them outside 0..1. */

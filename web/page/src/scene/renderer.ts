@@ -3,6 +3,7 @@ import { type Backend, offers, startWithin } from "./backends";
 import { Canvas2dRenderer } from "./canvas2d";
 import type { Color, DrawList } from "./draw-list";
 import type { FieldPicture } from "./field";
+import { FineField } from "./fine-field";
 import type { View } from "./view";
 import type { FieldColours } from "../theme/field-colours";
 
@@ -41,13 +42,16 @@ class WasmRenderer implements Renderer {
   #height = 1;
   /** What the module holds: it is not copied there again. */
   #field: ColouredField | null = null;
+  readonly #fine: FineField | null;
 
   constructor(
     scene: WasmScene,
     readonly backend: Backend,
     readonly canvas: HTMLCanvasElement,
+    redraw: () => void,
   ) {
     this.#scene = scene;
+    this.#fine = scene.can_compute() ? new FineField(scene, redraw) : null;
   }
 
   resize(width: number, height: number): void {
@@ -61,11 +65,13 @@ class WasmRenderer implements Renderer {
     scene.set_view(view.matrix, this.#width, this.#height);
     scene.set_background(background[0], background[1], background[2]);
     this.#setField(field);
+    this.#fine?.show(field?.picture.program ?? null);
     scene.set_segments(list.segments);
     scene.set_points(list.points);
     scene.set_ellipsoids(list.ellipsoids);
     scene.set_triangles(list.triangles);
     scene.render();
+    this.canvas.toggleAttribute("data-fine-field", this.#fine?.filled ?? false);
   }
 
   #setField(field: ColouredField | null): void {
@@ -82,6 +88,7 @@ class WasmRenderer implements Renderer {
   }
 
   free(): void {
+    this.#fine?.stop();
     try {
       this.#scene.free();
     } catch (error) {
@@ -90,12 +97,12 @@ class WasmRenderer implements Renderer {
   }
 }
 
-/** Starts the first of the backends that works, on a canvas of its own. */
-export async function startRenderer(backends: readonly Backend[]): Promise<Renderer> {
+/** Starts the first of the backends that works, on a canvas of its own; it asks for a picture when it can draw a finer one. */
+export async function startRenderer(backends: readonly Backend[], redraw: () => void): Promise<Renderer> {
   for (const backend of backends) {
     if (backend === "canvas2d") continue;
     try {
-      if (await offers(backend)) return await startModule(backend);
+      if (await offers(backend)) return await startModule(backend, redraw);
     } catch (error) {
       console.warn(`The ${backend} renderer did not start.`, error);
     }
@@ -103,8 +110,8 @@ export async function startRenderer(backends: readonly Backend[]): Promise<Rende
   return new Canvas2dRenderer();
 }
 
-async function startModule(backend: "webgpu" | "webgl"): Promise<Renderer> {
+async function startModule(backend: "webgpu" | "webgl", redraw: () => void): Promise<Renderer> {
   const canvas = document.createElement("canvas");
   const scene = await startWithin(createWasmScene(backend, canvas), (late) => late.free());
-  return new WasmRenderer(scene, backend, canvas);
+  return new WasmRenderer(scene, backend, canvas, redraw);
 }

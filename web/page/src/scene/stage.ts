@@ -16,6 +16,7 @@ const MOST_LOSSES = 3;
 export class Stage {
   readonly #host: HTMLElement;
   readonly #onChange: (backend: Backend | "") => void;
+  readonly #redraw: () => void;
   readonly #watch: number;
   #renderer: Renderer = new Canvas2dRenderer();
   #width = 1;
@@ -23,10 +24,12 @@ export class Stage {
   #losses = 0;
   #freed = false;
 
-  /** `onChange` hears of each renderer, so that it gets its first picture; empty while one is being started. */
-  constructor(host: HTMLElement, onChange: (backend: Backend | "") => void) {
+  /** `onChange` hears of each renderer, so that it gets its first picture; empty while one is being started.
+   *  `redraw` is called when the renderer can draw the last picture finer. */
+  constructor(host: HTMLElement, onChange: (backend: Backend | "") => void, redraw: () => void) {
     this.#host = host;
     this.#onChange = onChange;
+    this.#redraw = redraw;
     this.#watch = window.setInterval(() => this.#renderer.lost() && this.#replace(), WATCH);
     void this.#start();
   }
@@ -72,7 +75,7 @@ export class Stage {
 
   async #start(): Promise<void> {
     const backends = wantedBackends(location.search);
-    const renderer = await startRenderer(this.#losses < MOST_LOSSES ? backends : ["canvas2d"]);
+    const renderer = await startRenderer(this.#losses < MOST_LOSSES ? backends : ["canvas2d"], this.#redraw);
     if (this.#freed) return renderer.free();
     this.#use(renderer);
     this.#onChange(renderer.backend);

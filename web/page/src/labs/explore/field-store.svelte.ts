@@ -16,6 +16,7 @@ export interface Idle {
 }
 
 export interface Field extends FieldLayout {
+  readonly scenario: Scenario;
   readonly resolution: number;
   readonly values: Float32Array;
 }
@@ -50,7 +51,7 @@ export class FieldStore {
     const layout = this.#source.layout(scenario, resolution);
     const values = this.#source.rows(scenario, resolution, 0, layout.height);
     this.#first = this.#fitting(resolution, this.#idle.now() - start);
-    this.field = { ...layout, resolution, values };
+    this.field = { ...layout, scenario, resolution, values };
     this.#refine(
       scenario,
       RESOLUTIONS.filter((finer) => finer > resolution),
@@ -83,7 +84,7 @@ export class FieldStore {
         row += count;
       } while (row < layout.height && this.#idle.now() < end);
       if (row < layout.height) return this.#later(slice);
-      this.field = { ...layout, resolution, values };
+      this.field = { ...layout, scenario, resolution, values };
       this.#refine(scenario, finer);
     };
     this.#later(slice);

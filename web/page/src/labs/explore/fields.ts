@@ -4,6 +4,7 @@ import type { Scenario } from "../../scenario";
 import { type FieldPicture, UNBOUNDED } from "../../scene/field";
 import { niceBelow } from "../../scene/geometry";
 import type { SceneInput } from "../../scene/input";
+import { programOf } from "./field-program";
 import { browserIdle, type Field, FieldStore } from "./field-store.svelte";
 
 /** The field of the scenario that is shown. */
@@ -31,7 +32,8 @@ export function pictureOf(field: Field, settings: Scenario["field"], opacity: nu
   const { quantity, position_limit, angle_limit } = settings;
   const ends = scaleOf(values, unitOf(quantity).factor);
   const worseThan = quantity === "position" ? position_limit : angle_limit;
-  return { values, width, height, corner, u, v, ...ends, worseThan, opacity };
+  const program = programOf(field.scenario);
+  return { values, width, height, corner, u, v, ...ends, worseThan, opacity, program };
 }
 
 /** What a bound is shown in, and the factor that takes it there. */
