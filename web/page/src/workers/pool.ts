@@ -18,7 +18,7 @@ export interface PoolListener<Job, Result> {
 
 /** Losses without a success in between that are taken as bad luck, for each worker. */
 const LOSSES = 3;
-/** A worker is given up when it takes longer than this, and than so many times the longest job so far. */
+/** A worker is given up when it takes longer than this, if nothing else is said, and than so many times the longest job so far. */
 const LEAST_PATIENCE_MS = 20_000;
 const PATIENCE_FACTOR = 10;
 
@@ -42,6 +42,7 @@ export class WorkerPool<Job extends object, Result> {
     private readonly size: number,
     private readonly spawn: () => PoolWorker<Job, Result>,
     private readonly listener: PoolListener<Job, Result>,
+    private readonly leastPatience = LEAST_PATIENCE_MS,
   ) {}
 
   /** Forgets what it was doing, at the next job, and does these instead. */
@@ -93,7 +94,7 @@ export class WorkerPool<Job extends object, Result> {
   #begin(slot: Slot<Job, Result>, job: Job): void {
     slot.job = job;
     slot.since = performance.now();
-    const patience = Math.max(LEAST_PATIENCE_MS, PATIENCE_FACTOR * this.#longest);
+    const patience = Math.max(this.leastPatience, PATIENCE_FACTOR * this.#longest);
     slot.timer = setTimeout(() => this.#lost(slot), patience);
     slot.worker.postMessage({ kind: "job", job });
   }

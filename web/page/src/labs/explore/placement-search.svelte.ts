@@ -33,14 +33,9 @@ export class PlacementSearch {
   #best: Improvement | null = $state.raw(null);
   #problem: string | null = $state.raw(null);
   #round: Round | null = null;
-  readonly #pool: PoolLike;
+  #pool: PoolLike | null = null;
 
-  constructor(open: OpenPool) {
-    this.#pool = open({
-      done: (_, found) => this.#merge(found),
-      failed: (sentence) => this.#end(sentence),
-    });
-  }
+  constructor(private readonly open: OpenPool) {}
 
   /** The best found for the scenario's placement, wherever its free anchors are now. */
   bestFor(scenario: Scenario): Improvement | null {
@@ -51,13 +46,17 @@ export class PlacementSearch {
   start(seeker: Seeker): void {
     const scenario = seeker.current();
     const wanted = this.restarts;
-    this.#pool.close();
+    this.#pool?.close();
     this.#round = { key: keyOf(scenario), wanted, seeker };
     this.#best = this.bestFor(scenario);
     this.#problem = problemOf(scenario);
     this.running = true;
     this.done = 0;
     this.outcome = "";
+    this.#pool ??= this.open({
+      done: (_, found) => this.#merge(found),
+      failed: (sentence) => this.#end(sentence),
+    });
     this.#pool.replace(Array.from({ length: wanted }, (_, restart) => ({ scenario, restart })));
   }
 
@@ -84,7 +83,7 @@ export class PlacementSearch {
   }
 
   #end(sentence: string): void {
-    this.#pool.close();
+    this.#pool?.close();
     this.#round = null;
     this.running = false;
     this.outcome = sentence;
@@ -109,7 +108,10 @@ function problemOf({ anchors, field, placement, ...scenario }: Scenario): string
   return keyOf({ ...scenario, redraw_anchors: null, held, form, headings, placement } as unknown as Scenario);
 }
 
+/** A search over many places of the body with many anchors takes long; who waits can cancel. */
+const PATIENCE_MS = 120_000;
+
 /** The page's one search. */
 export const search = new PlacementSearch(
-  (listener) => new WorkerPool(workerCount(), startPlaceWorker, listener),
+  (listener) => new WorkerPool(workerCount(), startPlaceWorker, listener, PATIENCE_MS),
 );
