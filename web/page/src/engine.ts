@@ -6,6 +6,8 @@ import * as estimators from "./wasm/rangelab/rangelab_wasm.js";
 import moduleUrl from "./wasm/rangelab/rangelab_wasm_bg.wasm?url";
 import type { Scene } from "./wasm/scene-webgpu/rangelab_scene.js";
 import { decodeRun, decodeStudy } from "./decode";
+import type { Advice } from "./generated/Advice";
+import type { Improvement } from "./generated/Improvement";
 import type { Preset } from "./generated/Preset";
 import type { Problem } from "./generated/Problem";
 import type { Exploration } from "./generated/Exploration";
@@ -117,6 +119,16 @@ export function fieldParameters(scenario: Scenario): Float32Array {
 export function fieldProbe(scenario: Scenario, point: readonly number[]): PointBound {
   const at = Float64Array.from(point);
   return JSON.parse(guarded(() => estimators.field_probe(JSON.stringify(scenario), at)));
+}
+
+/** What the anchors are worth to `placement`, and how that changes with the place of each. Throws a sentence. */
+export function advise(scenario: Scenario): Advice {
+  return JSON.parse(guarded(() => estimators.advise(JSON.stringify(scenario))));
+}
+
+/** One search for better places of the anchors; restart 0 starts from where they are. Throws a sentence. */
+export function improve(scenario: Scenario, restart: number): Improvement {
+  return JSON.parse(guarded(() => estimators.improve(JSON.stringify(scenario), restart)));
 }
 
 /** What `probability` of the numbers drawn from the distribution lies between, as much of the rest below as above. */

@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import type { StudyCurves } from "../study";
 import type { Scenario } from "../scenario";
-import type { Block } from "../workers/messages";
+import type { Block, Sums } from "../workers/messages";
 import type { PoolListener } from "../workers/pool";
 import { FIRST_PICTURE, MOST_TRIALS, Study, type StudyTools, TRIALS_PER_BLOCK } from "./study.svelte";
 
@@ -13,12 +13,12 @@ const TIMES = Float64Array.of(0.1);
 
 /** Workers whose answers the test gives, and a sum that remembers in which order it was given them. */
 class Fake implements StudyTools {
-  listener!: PoolListener;
+  listener!: PoolListener<Block, Sums>;
   queue: Block[] = [];
   held = false;
   open = 0;
 
-  openPool(listener: PoolListener) {
+  openPool(listener: PoolListener<Block, Sums>) {
     this.listener = listener;
     return {
       replace: (blocks: readonly Block[]) => void (this.queue = [...blocks]),

@@ -1,7 +1,7 @@
 import type { StudyCurves } from "../study";
 import type { Scenario } from "../scenario";
 import { InOrder } from "../workers/in-order";
-import type { Block } from "../workers/messages";
+import type { Block, Sums } from "../workers/messages";
 import type { PoolListener } from "../workers/pool";
 
 export const TRIALS_PER_BLOCK = 20;
@@ -23,7 +23,7 @@ export interface StudyPicture {
 
 /** What the study needs from the engine and the workers. */
 export interface StudyTools {
-  openPool(listener: PoolListener): PoolLike;
+  openPool(listener: PoolListener<Block, Sums>): PoolLike;
   openSum(scenario: Scenario): SumLike;
 }
 interface PoolLike {

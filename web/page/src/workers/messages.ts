@@ -7,11 +7,20 @@ export interface Block {
   readonly trials: number;
 }
 
-export type Request =
-  | { readonly kind: "load"; readonly module: WebAssembly.Module }
-  | { readonly kind: "block"; readonly block: Block };
+/** What a block of trials adds to a study. */
+export type Sums = Float64Array<ArrayBuffer>;
 
-export type Answer =
-  | { readonly kind: "sums"; readonly sums: Float64Array<ArrayBuffer> }
+/** One search for better places of the anchors. */
+export interface Search {
+  readonly scenario: Scenario;
+  readonly restart: number;
+}
+
+export type Request<Job> =
+  | { readonly kind: "load"; readonly module: WebAssembly.Module }
+  | { readonly kind: "job"; readonly job: Job };
+
+export type Answer<Result> =
+  | { readonly kind: "done"; readonly result: Result }
   /** The scenario itself is at fault: another worker would say the same. */
   | { readonly kind: "refused"; readonly sentence: string };

@@ -1,25 +1,27 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import type { Scenario } from "../scenario";
 import { InOrder } from "./in-order";
-import type { Answer, Block, Request } from "./messages";
-import { type StudyWorker, WorkerPool } from "./pool";
+import type { Answer, Block, Request, Sums } from "./messages";
+import { type PoolWorker, WorkerPool } from "./pool";
+
+type BlockWorker = PoolWorker<Block, Sums>;
 
 /** A worker that answers when it is told to. */
-class FakeWorker implements StudyWorker {
-  onmessage: StudyWorker["onmessage"] = null;
-  onerror: StudyWorker["onerror"] = null;
-  onmessageerror: StudyWorker["onmessageerror"] = null;
+class FakeWorker implements BlockWorker {
+  onmessage: BlockWorker["onmessage"] = null;
+  onerror: BlockWorker["onerror"] = null;
+  onmessageerror: BlockWorker["onmessageerror"] = null;
   readonly blocks: Block[] = [];
   terminated = false;
 
-  postMessage(request: Request): void {
-    if (request.kind === "block") this.blocks.push(request.block);
+  postMessage(request: Request<Block>): void {
+    if (request.kind === "job") this.blocks.push(request.job);
   }
   terminate(): void {
     this.terminated = true;
   }
-  answer(answer: Answer = { kind: "sums", sums: Float64Array.of(this.last.firstTrial) }): void {
-    this.onmessage?.({ data: answer } as MessageEvent<Answer>);
+  answer(answer: Answer<Sums> = { kind: "done", result: Float64Array.of(this.last.firstTrial) }): void {
+    this.onmessage?.({ data: answer } as MessageEvent<Answer<Sums>>);
   }
   crash(): void {
     this.onerror?.({ preventDefault: () => undefined } as ErrorEvent);
@@ -129,7 +131,7 @@ describe("the pool", () => {
     const { pool, workers, done, failures } = start(2);
     pool.replace(blocks(4));
     for (let i = 0; i < 50; i++) workers.filter((worker) => !worker.terminated)[0]?.crash();
-    expect(failures).toEqual(["The workers that run the trials stopped 6 times in a row."]);
+    expect(failures).toEqual(["The workers stopped 6 times in a row."]);
     pool.replace(blocks(1));
     workers[workers.length - 1].answer();
     expect(done).toEqual([0]);

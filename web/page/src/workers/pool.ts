@@ -1,58 +1,59 @@
-import type { Answer, Block, Request } from "./messages";
+import type { Answer, Request } from "./messages";
 
 /** A worker as the pool needs it; tests bring one without a thread. */
-export interface StudyWorker {
-  onmessage: ((event: MessageEvent<Answer>) => void) | null;
+export interface PoolWorker<Job, Result> {
+  onmessage: ((event: MessageEvent<Answer<Result>>) => void) | null;
   onerror: ((event: ErrorEvent) => void) | null;
   onmessageerror: ((event: MessageEvent) => void) | null;
-  postMessage(request: Request): void;
+  postMessage(request: Request<Job>): void;
   terminate(): void;
 }
 
-/** What the pool tells: sums come in any order, blocks of an older list never. */
-export interface PoolListener {
-  done(block: Block, sums: Float64Array): void;
+/** What the pool tells: results come in any order, those of an older list never. */
+export interface PoolListener<Job, Result> {
+  done(job: Job, result: Result): void;
   /** The work has ended, with the reason as a sentence. */
   failed(sentence: string): void;
 }
 
 /** Losses without a success in between that are taken as bad luck, for each worker. */
 const LOSSES = 3;
-/** A worker is given up when it takes longer than this, and than so many times the longest block so far. */
+/** A worker is given up when it takes longer than this, if nothing else is said, and than so many times the longest job so far. */
 const LEAST_PATIENCE_MS = 20_000;
 const PATIENCE_FACTOR = 10;
 
-interface Slot {
-  worker: StudyWorker;
-  block: Block | null;
+interface Slot<Job, Result> {
+  worker: PoolWorker<Job, Result>;
+  job: Job | null;
   since: number;
   timer: ReturnType<typeof setTimeout> | undefined;
 }
 
-/** Workers that run blocks of trials; one that dies is replaced and its block is done again. */
-export class WorkerPool {
-  readonly #slots: Slot[] = [];
-  readonly #abandoned = new WeakSet<Block>();
-  #queue: Block[] = [];
+/** Workers that do jobs; one that dies is replaced and its job is done again. */
+export class WorkerPool<Job extends object, Result> {
+  readonly #slots: Slot<Job, Result>[] = [];
+  readonly #abandoned = new WeakSet<Job>();
+  #queue: Job[] = [];
   #held = false;
   #losses = 0;
   #longest = 0;
 
   constructor(
     private readonly size: number,
-    private readonly spawn: () => StudyWorker,
-    private readonly listener: PoolListener,
+    private readonly spawn: () => PoolWorker<Job, Result>,
+    private readonly listener: PoolListener<Job, Result>,
+    private readonly leastPatience = LEAST_PATIENCE_MS,
   ) {}
 
-  /** Forgets what it was doing, at the next block, and does these instead. */
-  replace(blocks: readonly Block[]): void {
-    for (const { block } of this.#slots) if (block) this.#abandoned.add(block);
-    this.#queue = [...blocks];
+  /** Forgets what it was doing, at the next job, and does these instead. */
+  replace(jobs: readonly Job[]): void {
+    for (const { job } of this.#slots) if (job) this.#abandoned.add(job);
+    this.#queue = [...jobs];
     this.#losses = 0;
     this.#advance();
   }
 
-  /** Begins no more blocks; those begun are still told. */
+  /** Begins no more jobs; those begun are still told. */
   hold(): void {
     this.#held = true;
   }
@@ -70,15 +71,15 @@ export class WorkerPool {
   #advance(): void {
     if (this.#held) return;
     while (this.#queue.length > 0) {
-      const slot = this.#slots.find((candidate) => candidate.block === null) ?? this.#grow();
+      const slot = this.#slots.find((candidate) => candidate.job === null) ?? this.#grow();
       if (!slot) return;
       this.#begin(slot, this.#queue.shift()!);
     }
   }
 
-  #grow(): Slot | null {
+  #grow(): Slot<Job, Result> | null {
     if (this.#slots.length >= this.size) return null;
-    const slot: Slot = { worker: this.spawn(), block: null, since: 0, timer: undefined };
+    const slot: Slot<Job, Result> = { worker: this.spawn(), job: null, since: 0, timer: undefined };
     slot.worker.onmessage = ({ data }) => this.#answered(slot, data);
     slot.worker.onerror = (event) => {
       // Told below if it goes on: the console need not hear of each.
@@ -90,37 +91,37 @@ export class WorkerPool {
     return slot;
   }
 
-  #begin(slot: Slot, block: Block): void {
-    slot.block = block;
+  #begin(slot: Slot<Job, Result>, job: Job): void {
+    slot.job = job;
     slot.since = performance.now();
-    const patience = Math.max(LEAST_PATIENCE_MS, PATIENCE_FACTOR * this.#longest);
+    const patience = Math.max(this.leastPatience, PATIENCE_FACTOR * this.#longest);
     slot.timer = setTimeout(() => this.#lost(slot), patience);
-    slot.worker.postMessage({ kind: "block", block });
+    slot.worker.postMessage({ kind: "job", job });
   }
 
-  #answered(slot: Slot, answer: Answer): void {
-    const { block } = slot;
-    if (!block) return;
+  #answered(slot: Slot<Job, Result>, answer: Answer<Result>): void {
+    const { job } = slot;
+    if (!job) return;
     clearTimeout(slot.timer);
-    slot.block = null;
+    slot.job = null;
     this.#losses = 0;
     this.#longest = Math.max(this.#longest, performance.now() - slot.since);
-    if (!this.#abandoned.has(block)) {
-      if (answer.kind === "sums") this.listener.done(block, answer.sums);
+    if (!this.#abandoned.has(job)) {
+      if (answer.kind === "done") this.listener.done(job, answer.result);
       else this.#giveUp(answer.sentence);
     }
     this.#advance();
   }
 
-  #lost(slot: Slot): void {
+  #lost(slot: Slot<Job, Result>): void {
     const index = this.#slots.indexOf(slot);
     if (index < 0) return;
     this.#slots.splice(index, 1);
     this.#dismiss(slot);
-    if (slot.block && !this.#abandoned.has(slot.block)) this.#queue.unshift(slot.block);
+    if (slot.job && !this.#abandoned.has(slot.job)) this.#queue.unshift(slot.job);
     this.#losses += 1;
     if (this.#losses < LOSSES * this.size) this.#advance();
-    else this.#giveUp(`The workers that run the trials stopped ${this.#losses} times in a row.`);
+    else this.#giveUp(`The workers stopped ${this.#losses} times in a row.`);
   }
 
   #giveUp(sentence: string): void {
@@ -128,7 +129,7 @@ export class WorkerPool {
     this.listener.failed(sentence);
   }
 
-  #dismiss({ worker, timer }: Slot): void {
+  #dismiss({ worker, timer }: Slot<Job, Result>): void {
     clearTimeout(timer);
     worker.onmessage = worker.onerror = worker.onmessageerror = null;
     worker.terminate();

@@ -1,5 +1,7 @@
 import { engineModule } from "../engine";
-import type { StudyWorker } from "./pool";
+import type { Improvement } from "../generated/Improvement";
+import type { Block, Search, Sums } from "./messages";
+import type { PoolWorker } from "./pool";
 
 /** The first picture has this many blocks: more workers would have nothing to do. */
 const MOST_WORKERS = 10;
@@ -9,8 +11,15 @@ export function workerCount(): number {
   return Math.min(MOST_WORKERS, Math.max(1, navigator.hardwareConcurrency - 1));
 }
 
-export function startWorker(): StudyWorker {
-  const worker = new Worker(new URL("./study-worker.ts", import.meta.url), { type: "module", name: "study" });
+export function startStudyWorker(): PoolWorker<Block, Sums> {
+  return loaded(new Worker(new URL("./study-worker.ts", import.meta.url), { type: "module", name: "study" }));
+}
+
+export function startPlaceWorker(): PoolWorker<Search, Improvement> {
+  return loaded(new Worker(new URL("./place-worker.ts", import.meta.url), { type: "module", name: "place" }));
+}
+
+function loaded(worker: Worker): Worker {
   worker.postMessage({ kind: "load", module: engineModule() });
   return worker;
 }

@@ -6,6 +6,7 @@ import { ground, groundLabels } from "../../scene/ground";
 import Controls from "./controls/Panel.svelte";
 import { fields, picture } from "./fields";
 import { body, bounds, contourLabels, contours, ghosts, ranges, reading, twin } from "./layers";
+import { boxes, boxLabels, downhill } from "./placement-layers";
 import { obstacles } from "./obstacles";
 import Readout from "./Readout.svelte";
 import { type ExploreRun, runOf } from "./run";
@@ -25,11 +26,25 @@ export const lab: Lab<ExploreRun> = {
     fields.show(scenario);
     return run;
   },
-  layers: [ground, contours, obstacles, ranges, bounds, body, ghosts, twin, reading, anchors],
+  layers: [
+    ground,
+    contours,
+    obstacles,
+    boxes,
+    ranges,
+    bounds,
+    body,
+    ghosts,
+    twin,
+    reading,
+    anchors,
+    downhill,
+  ],
   field: picture,
   labels: (input) => [
     ...anchorLabels(input),
     ...(input.run ? axisLabels(input, input.run) : []),
+    ...boxLabels(input),
     ...contourLabels(input),
     ...groundLabels(input),
   ],

@@ -1,4 +1,5 @@
-import { explore } from "../../engine";
+import { advise, EngineTrap, explore } from "../../engine";
+import type { Advice } from "../../generated/Advice";
 import type { Exploration } from "../../generated/Exploration";
 import type { LabRun } from "../../lab";
 import type { Scenario } from "../../scenario";
@@ -6,6 +7,7 @@ import type { Scenario } from "../../scenario";
 /** One moment: what its ranges show of the pose that the body starts in. */
 export interface ExploreRun extends LabRun {
   readonly exploration: Exploration;
+  readonly advice: Advice;
 }
 
 export function runOf(scenario: Scenario): ExploreRun {
@@ -20,5 +22,16 @@ export function runOf(scenario: Scenario): ExploreRun {
       positions: Float64Array.from(start.position),
     },
     exploration: explore(scenario),
+    advice: adviceOn(scenario),
   };
+}
+
+/** Where the adviser has nothing to tell, the bounds are still shown: its sentence stands in for the value. */
+function adviceOn(scenario: Scenario): Advice {
+  try {
+    return advise(scenario);
+  } catch (error) {
+    if (!(error instanceof Error) || error instanceof EngineTrap) throw error;
+    return { unit: "m", value: null, cause: error.message, gradient: [] };
+  }
 }

@@ -3,6 +3,7 @@ import type { Exploration } from "../../generated/Exploration";
 import type { SceneInput } from "../../scene/input";
 import { asSentence } from "../../words";
 import { weakestMotion } from "./layers";
+import { toldAdvice } from "./placement";
 import type { ExploreRun } from "./run";
 
 export function describe({ exploration }: ExploreRun): string {
@@ -54,6 +55,7 @@ export function told(input: SceneInput<ExploreRun>): string[] {
     `Position bound ${metres(exploration.position_sigma)}, orientation bound ${degrees(exploration.angle_sigma)}.`,
     missing === 0 ? `All ${all} ranges can be measured.` : `${missing} of ${all} ranges cannot be measured.`,
     ...(walls > 0 ? [`${walls} walls and boxes block lines of sight.`] : []),
+    ...toldAdvice(run.advice, scenario),
     ...(exploration.modes.length > 0 ? [`${ghostOf(input)}.`] : []),
   ];
 }
