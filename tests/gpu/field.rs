@@ -1,5 +1,7 @@
 //! The field that a graphics device computes in single precision, held against that of the crate in double precision.
 
+#![allow(clippy::cast_possible_truncation, reason = "single precision is what the card computes in")]
+
 use rangelab::bounds::field::{Field, FieldLayout, NONE};
 use rangelab::model::availability::Obstacle;
 use rangelab::model::field_settings::{FieldSettings, Quantity};
