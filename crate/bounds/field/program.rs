@@ -17,7 +17,8 @@ use crate::model::ranging::RangeForm;
 /// value in double precision is shown instead.
 const LEAST_PART_SINGLE: f64 = 2e-3;
 
-/// Counts and numbers before the lists in the parameters.
+/// Counts and numbers before the lists in the parameters. Arrays get their zeros explicitly: there are browsers that keep
+/// the numbers of the last turn of a loop in a variable that is declared without a value.
 const HEAD: &str = "
 @group(0) @binding(0) var<storage, read> parameters: array<f32>;
 @group(0) @binding(1) var values: texture_storage_2d<r32float, write>;
@@ -44,12 +45,12 @@ let point = place(8u) + cell.x * place(11u) + cell.y * place(14u);
 var sum = 0.0;
 var resolved = true;
 for (var heading = 0u; heading < headings; heading++) {
-var j: array<f32, 36>;
+var j = array<f32, 36>();
 for (var n = 0u; n < sensors; n++) {
 let lever = place(first_lever + 3u * (heading * sensors + n));
 let sensor = point + length * lever;
-var r: array<f32, 6>;
-var mean: array<f32, 3>;
+var r = array<f32, 6>();
+var mean = array<f32, 3>();
 var total = 0.0;
 for (var m = 0u; m < anchors; m++) {
 let anchor = place(first_anchor + 4u * m);
