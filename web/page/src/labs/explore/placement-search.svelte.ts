@@ -3,6 +3,7 @@ import type { Scenario } from "../../scenario";
 import type { Search } from "../../workers/messages";
 import { type PoolListener, WorkerPool } from "../../workers/pool";
 import { startPlaceWorker, workerCount } from "../../workers/start";
+import { formatValue } from "./placement";
 
 interface PoolLike {
   replace(jobs: readonly Search[]): void;
@@ -75,11 +76,12 @@ export class PlacementSearch {
     if (this.done === round.wanted) this.#finish(round, found.before);
   }
 
-  #finish({ seeker }: Round, before: number | null): void {
+  #finish({ seeker, wanted }: Round, before: number | null): void {
     const best = this.#best;
     const better = best !== null && best.after !== null && (before === null || best.after < before);
-    this.#end(better ? "The anchors were moved to the best found." : "No better places were found.");
-    if (better) seeker.apply(best);
+    if (!better) return this.#end("No better places were found.");
+    this.#end(`Best of ${wanted}: ${formatValue(best.after, best.unit)}.`);
+    seeker.apply(best);
   }
 
   #end(sentence: string): void {
