@@ -30,18 +30,18 @@ test("a bar makes the panel larger by pointer, key and double click, and is reme
   await page.mouse.down();
   await page.mouse.move(at.x - 96, at.y + 300, { steps: 5 });
   await page.mouse.up();
-  expect(await width(page)).toBeCloseTo(designed + 100, -1);
+  await expect.poll(() => width(page)).toBeCloseTo(designed + 100, -1);
   await expect(splitter).toHaveAttribute("aria-valuenow", String(Math.round(await width(page))));
   await splitter.focus();
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("ArrowRight");
-  expect(await width(page)).toBeCloseTo(designed + 68, -1);
+  await expect.poll(() => width(page)).toBeCloseTo(designed + 68, -1);
 
   const other = await context.newPage();
   await Lab.open(other);
   expect(await width(other)).toBe(await width(page));
   await bar(other, "Width of the controls").dblclick();
-  expect(await width(other)).toBe(designed);
+  await expect.poll(() => width(other)).toBe(designed);
 });
 
 test("panel and plots are put away and come back, by bar and by button", async ({ page }) => {
