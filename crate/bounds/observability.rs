@@ -105,7 +105,7 @@ pub(super) fn weakest_motion<const D: usize>(information: &FisherInformation<D>,
 /// Eigenvectors of the pose information, with angles counted as metres at the sensors, least eigenvalue first. Where the
 /// pose is not `seen`, those whose information is rounding beside the largest have no standard deviation.
 fn motions<const D: usize>(information: &FisherInformation<D>, seen: bool) -> Vec<Motion<D>> {
-    let size = body_size(information);
+    let size = information.model.topology().size();
     let j = information.on_tangent_space();
     let used = tangent_dimension(D);
     let scale = |i: usize| if i < rotation_angles(D) { 1.0 / size } else { 1.0 };
@@ -137,13 +137,6 @@ fn motions<const D: usize>(information: &FisherInformation<D>, seen: bool) -> Ve
 /// Information below this part of the largest is rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// Root mean square distance of the sensors from the origin of the body frame, m; 1 where it vanishes.
-fn body_size<const D: usize>(information: &FisherInformation<D>) -> f64 {
-    let topology = information.model.topology();
-    let size = sqrt(topology.gram().trace() / topology.len() as f64);
-    if size > 0.0 { size } else { 1.0 }
-}
-
 /// Anchors whose extents differ by more than this factor are called thin.
 const THIN: f64 = 10.0;
 
@@ -158,7 +151,7 @@ fn describe_weakest<const D: usize>(information: &FisherInformation<D>, weakest:
     };
     let deviation = weakest.standard_deviation.unwrap_or(f64::INFINITY);
     let (motion, size) = if weakest.turning > 0.5 {
-        let angle = degrees(deviation / body_size(information));
+        let angle = degrees(deviation / information.model.topology().size());
         (describe_turn::<D>(&weakest.rotation), format!("{angle:.3} deg"))
     } else {
         (format!("a shift along {}", describe_vector(weakest.shift.as_slice())), metres(deviation))

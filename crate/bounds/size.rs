@@ -6,26 +6,10 @@ use super::constrained::unitary_crb;
 use super::fisher::fisher_information_of;
 use crate::error::{Error, Result};
 use crate::math::float::sqrt;
-use crate::math::pose::{Pose, Theta};
+use crate::math::pose::Pose;
 use crate::model::availability::Availability;
-use crate::model::ranges::Ranges;
 use crate::model::ranging::{RangeForm, RangeModel, Weighting};
 use crate::model::topology::Topology;
-
-/// The ranges that can be measured at a pose, each at its true value.
-///
-/// # Errors
-/// [`Error::Number`] where a squared range overflows.
-pub fn measurable_ranges<const D: usize>(
-    model: &RangeModel<D>,
-    availability: &Availability<D>,
-    pose: &Pose<D>,
-) -> Result<Ranges> {
-    let exact = model.exact_ranges(&Theta::from(*pose))?;
-    let measurable = model.measurable(pose, availability);
-    let sensors = exact.sensors();
-    Ranges::from_fn(exact.anchors(), sensors, |m, n| exact.get(m, n).filter(|_| measurable[m * sensors + n]))
-}
 
 /// The bound on the orientation (rad) of a body whose sensors are as many times farther from its origin as each scale
 /// says; `None` where there is none.
@@ -48,13 +32,9 @@ pub fn orientation_against_size<const D: usize>(
             });
         }
         let sensors = model.topology().sensors().iter().map(|c| c * scale).collect();
-        let scaled = RangeModel::new(
-            model.anchors().clone(),
-            Topology::new(sensors)?,
-            *model.noise(),
-            Weighting::PerPair,
-        )?;
-        let measured = measurable_ranges(&scaled, availability, pose)?;
+        let topology = Topology::new(sensors)?;
+        let scaled = RangeModel::new(model.anchors().clone(), topology, *model.noise(), Weighting::PerPair)?;
+        let measured = scaled.measurable_ranges(pose, availability)?;
         let information = fisher_information_of(&scaled, pose, &measured, form, &mut scaled.range_buffer())?;
         Ok(unitary_crb(&information).ok().map(|bound| sqrt(bound.angle_trace())))
     };

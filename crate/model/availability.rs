@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use nalgebra::SVector;
 use serde::{Deserialize, Serialize};
 
-use super::document::check::{Check, Limit, MAX_POINTS};
+use super::document::check::{Check, Limit};
 use super::document::entries::vector;
 use crate::math::number::Number;
 
@@ -206,7 +206,7 @@ pub(super) fn check(
             check.number(format_args!("availability.max_ranges[{i}]"), *range, Limit::LENGTH);
         }
     }
-    check.count("availability.obstacles", settings.obstacles.len(), 0, MAX_OBSTACLES.min(MAX_POINTS));
+    check.count("availability.obstacles", settings.obstacles.len(), 0, MAX_OBSTACLES);
     for (i, obstacle) in settings.obstacles.iter().enumerate() {
         check_obstacle(check, i, obstacle, dimension);
     }

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use serde::{Deserialize, Serialize};
 
-use super::document::check::{Check, MAX_POINTS};
+use super::document::check::Check;
 
 /// What the placement adviser makes small, and its limits. Form of the ranges and headings are those of the field.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -90,7 +90,7 @@ impl PlacementSettings {
         };
         region("placement.region", &self.region);
         region("placement.limits", &self.limits);
-        check.count("placement.keep_out", self.keep_out.len(), 0, MAX_ZONES.min(MAX_POINTS));
+        check.count("placement.keep_out", self.keep_out.len(), 0, MAX_ZONES);
         for (i, Region { low, high }) in self.keep_out.iter().enumerate() {
             check.region(format_args!("placement.keep_out[{i}]"), low, high, dimension);
         }

@@ -65,6 +65,12 @@ impl<const D: usize> RangeModel<D> {
         Ok(Self { anchors, topology, noise, weighting })
     }
 
+    /// The same with the noise of each pair: bounds take over no simplification of the weights.
+    #[must_use]
+    pub fn per_pair(&self) -> Self {
+        Self { weighting: Weighting::PerPair, ..self.clone() }
+    }
+
     /// The anchors.
     pub fn anchors(&self) -> &Anchors<D> {
         &self.anchors
@@ -98,6 +104,20 @@ impl<const D: usize> RangeModel<D> {
         let places: Vec<_> = self.topology.sensors().iter().map(|c| pose.act(c)).collect();
         let pairs = self.anchors.positions().iter().enumerate();
         pairs.flat_map(|(m, a)| places.iter().map(move |s| availability.allows(m, a, s))).collect()
+    }
+
+    /// The ranges that can be measured at a pose, each at its true value.
+    ///
+    /// # Errors
+    /// [`Error::Number`] where a squared range overflows.
+    pub fn measurable_ranges(&self, pose: &Pose<D>, availability: &Availability<D>) -> Result<Ranges> {
+        let exact = self.exact_ranges(&Theta::from(*pose))?;
+        if availability.is_unlimited() {
+            return Ok(exact);
+        }
+        let (measurable, sensors) = (self.measurable(pose, availability), exact.sensors());
+        let available = |m: usize, n: usize| exact.get(m, n).filter(|_| measurable[m * sensors + n]);
+        Ranges::from_fn(exact.anchors(), sensors, available)
     }
 
     /// A buffer of the right size for [`RangeModel::normal_equations`].

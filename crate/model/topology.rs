@@ -8,6 +8,7 @@ use super::anchors::require_points;
 use super::spread::Spread;
 use crate::error::Result;
 use crate::math::block::MAX_BLOCKS;
+use crate::math::float::sqrt;
 use crate::math::linalg::add_outer;
 use crate::math::singular::singular;
 
@@ -103,6 +104,13 @@ impl<const D: usize> Topology<D> {
     /// Rank of `[C; 1^T]`; `D + 1` lets the ranges see every entry of `[Q | t]`.
     pub fn extended_rank(&self) -> usize {
         self.spread().rank() + 1
+    }
+
+    /// Root mean square distance of the sensors from the origin of the body frame, m; 1 where it vanishes. Angles times
+    /// it compare with shifts.
+    pub fn size(&self) -> f64 {
+        let size = sqrt(self.gram.trace() / self.len() as f64);
+        if size > 0.0 { size } else { 1.0 }
     }
 
     /// How the sensors fill the body frame.

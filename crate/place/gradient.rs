@@ -63,7 +63,7 @@ impl<const D: usize> Placement<D> {
         let model = self.model(anchors)?;
         let (mut figures, mut slopes) = (Vec::new(), Vec::new());
         for pose in &self.poses {
-            let ranges = self.ranges(&model, pose)?;
+            let ranges = model.measurable_ranges(pose, &self.availability)?;
             let covariance = self.covariance(&model, pose, &ranges, prior)?;
             let (figure, slope) = self.figure.differentiate(&covariance, sharpness);
             figures.push(finite(figure)?);
@@ -85,7 +85,8 @@ impl<const D: usize> Placement<D> {
         let area = (extent * extent).max(SQUARED_RANGE_FLOOR);
         let mut prior = Prior { angle: WEAKEST, shift: WEAKEST / area };
         for pose in &self.poses {
-            let information = self.information(&model, pose, &self.ranges(&model, pose)?)?;
+            let information =
+                self.information(&model, pose, &model.measurable_ranges(pose, &self.availability)?)?;
             let j = information.on_tangent_space();
             for i in 0..tangent_dimension(D) {
                 let largest = if i < rotation_angles(D) { &mut prior.angle } else { &mut prior.shift };

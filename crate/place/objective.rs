@@ -8,7 +8,7 @@ use super::figure::{Figure, Sharpness};
 use crate::bounds::{FisherInformation, fisher_information_of, unitary_crb};
 use crate::error::{Error, Result};
 use crate::math::float::{pow, sqrt};
-use crate::math::pose::{Pose, Theta};
+use crate::math::pose::Pose;
 use crate::model::anchors::Anchors;
 use crate::model::availability::Availability;
 use crate::model::noise::RangeNoise;
@@ -61,7 +61,7 @@ impl<const D: usize> Placement<D> {
             .poses
             .iter()
             .map(|pose| {
-                let ranges = self.ranges(&model, pose)?;
+                let ranges = model.measurable_ranges(pose, &self.availability)?;
                 let bound = unitary_crb(&self.information(&model, pose, &ranges)?)?;
                 finite(self.figure.value(&bound))
             })
@@ -73,17 +73,6 @@ impl<const D: usize> Placement<D> {
     pub(super) fn model(&self, anchors: &[SVector<f64, D>]) -> Result<RangeModel<D>> {
         let anchors = Anchors::new(anchors.to_vec())?;
         RangeModel::new(anchors, self.topology.clone(), self.noise, Weighting::PerPair)
-    }
-
-    /// The true squared ranges that are available.
-    pub(super) fn ranges(&self, model: &RangeModel<D>, pose: &Pose<D>) -> Result<Ranges> {
-        let exact = model.exact_ranges(&Theta::from(*pose))?;
-        if self.availability.is_unlimited() {
-            return Ok(exact);
-        }
-        let (measurable, sensors) = (model.measurable(pose, &self.availability), exact.sensors());
-        let available = |m: usize, n: usize| exact.get(m, n).filter(|_| measurable[m * sensors + n]);
-        Ranges::from_fn(exact.anchors(), sensors, available)
     }
 
     pub(super) fn information<'a>(

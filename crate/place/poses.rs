@@ -8,7 +8,6 @@ use nalgebra::SVector;
 use super::figure::Figure;
 use super::objective::Placement;
 use crate::error::Result;
-use crate::math::float::sqrt;
 use crate::math::pose::Pose;
 use crate::math::rotation::Rotation;
 use crate::model::document::entries::{points, vector};
@@ -27,12 +26,8 @@ impl<const D: usize> Placement<D> {
     pub fn of(scenario: &Scenario) -> Result<Self> {
         let setup = scenario.setup::<D>()?;
         let (settings, topology) = (&scenario.placement, setup.model.topology().clone());
-        let size = sqrt(topology.gram().trace() / topology.len() as f64);
-        let figure = Figure {
-            criterion: settings.criterion,
-            target: settings.target,
-            body_size: if size > 0.0 { size } else { 1.0 },
-        };
+        let figure =
+            Figure { criterion: settings.criterion, target: settings.target, body_size: topology.size() };
         let places = settings.region.as_ref().map_or_else(|| [setup.start.position].into(), grid);
         let turned =
             |k: usize| turned(&setup.start.rotation, TAU * k as f64 / scenario.field.headings as f64);

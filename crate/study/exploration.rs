@@ -7,7 +7,6 @@ use nalgebra::SVector;
 use serde::Serialize;
 
 use crate::bounds::observability::{Motion, observability};
-use crate::bounds::size::measurable_ranges;
 use crate::bounds::twin::{Twin, mirror_twin};
 use crate::bounds::{FisherInformation, fisher_information_of, unitary_crb};
 use crate::error::Result;
@@ -16,7 +15,7 @@ use crate::math::pose::Pose;
 use crate::math::rotation::rotation_angles;
 use crate::math::tangent::TangentMatrix;
 use crate::model::document::entries::{PoseEntries, angle_rows, coordinates, rows};
-use crate::model::ranging::{RangeModel, Weighting};
+use crate::model::ranging::RangeModel;
 use crate::model::scenario::{Scenario, Setup};
 use crate::with_dimension;
 
@@ -106,7 +105,7 @@ pub fn bound_at(scenario: &Scenario, point: &[f64]) -> Result<PointBound> {
         }
         let setup = scenario.setup::<D>()?;
         let pose = Pose { position: SVector::from_fn(|i, _| point[i]), ..setup.start };
-        let model = per_pair(&setup)?;
+        let model = setup.model.per_pair();
         let information = seen_from(scenario, &model, &setup, &pose)?;
         let sentence = observability(&information).sentence;
         Ok(point_bound(&information, sentence))
@@ -115,7 +114,7 @@ pub fn bound_at(scenario: &Scenario, point: &[f64]) -> Result<PointBound> {
 
 fn explore_in<const D: usize>(scenario: &Scenario) -> Result<Exploration> {
     let setup = scenario.setup::<D>()?;
-    let model = per_pair(&setup)?;
+    let model = setup.model.per_pair();
     let information = seen_from(scenario, &model, &setup, &setup.start)?;
     let facts = observability(&information);
     let measurable = model.measurable(&setup.start, &setup.availability);
@@ -131,19 +130,13 @@ fn explore_in<const D: usize>(scenario: &Scenario) -> Result<Exploration> {
     })
 }
 
-/// The model with the noise of each pair: bounds take over no simplification of the weights.
-fn per_pair<const D: usize>(setup: &Setup<D>) -> Result<RangeModel<D>> {
-    let model = &setup.model;
-    RangeModel::new(model.anchors().clone(), model.topology().clone(), *model.noise(), Weighting::PerPair)
-}
-
 fn seen_from<'a, const D: usize>(
     scenario: &Scenario,
     model: &'a RangeModel<D>,
     setup: &Setup<D>,
     pose: &Pose<D>,
 ) -> Result<FisherInformation<'a, D>> {
-    let measured = measurable_ranges(model, &setup.availability, pose)?;
+    let measured = model.measurable_ranges(pose, &setup.availability)?;
     fisher_information_of(model, pose, &measured, scenario.field.form, &mut model.range_buffer())
 }
 

@@ -61,8 +61,7 @@ impl Field {
     ) -> Self {
         let lift = |v: &[f64]| core::array::from_fn(|i| v.get(i).copied().unwrap_or(0.0));
         let topology = model.topology();
-        let size = sqrt(topology.gram().trace() / topology.len() as f64);
-        let size = if size > 0.0 { size } else { 1.0 };
+        let size = topology.size();
         let levers = |heading: usize| {
             let angle = core::f64::consts::TAU * heading as f64 / settings.headings as f64;
             let (sine, cosine) = if heading == 0 { (0.0, 1.0) } else { (sin(angle), cos(angle)) };
