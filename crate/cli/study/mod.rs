@@ -2,7 +2,6 @@
 
 mod columns;
 mod comparison;
-mod digits;
 mod table;
 mod workers;
 
