@@ -1,1 +1,202 @@
+//! The papers' figures at full size: every claim with its standard error and the verdict that the numbers give, reports
+//! that are spoiled and must lose claims, and the laws of the jobs. `cargo run --release --example figures` prints them.
 
+use rangelab::model::estimator_settings::EstimatorName::{self, Eskf, EskfRaw, EtKf, Kf, Ortho, UcKf};
+use rangelab::study::figures::claim::{Claim, Target, Verdict};
+use rangelab::study::figures::plan::{FigurePlan, FigureSum};
+use rangelab::study::figures::report::FigureReport;
+use rangelab::study::figures::{FIGURES, SEED, figure};
+use rangelab::study::report::StudyReport;
+
+/// How the claims begin that the paper makes and that fail, and those for which 1000 trials are too few; all others hold.
+const FAIL: [&str; 8] = [
+    "redrawn: RMSE(Q) of KF-ortho over that of KF,",
+    "redrawn: RMSE(Q) of ET-KF over that of KF,",
+    "fixed: rotation angle of KF-ortho over that of KF,",
+    "fixed: rotation angle of ET-KF over that of KF,",
+    "redrawn: MAE as printed of KF-ortho over",
+    "redrawn: MAE as printed of ET-KF over",
+    "redrawn: rotation angle of KF-ortho over that of KF,",
+    "redrawn: rotation angle of ET-KF over that of KF,",
+];
+const OPEN: [&str; 4] = [
+    "fixed: RMSE(Q) of ET-KF over that of KF,",
+    "fixed: MAE as printed of ET-KF over",
+    "redrawn: RMSE(Q) of KF over its estimated covariance",
+    "fixed, body frame at the base: largest RMSE(t)",
+];
+
+fn plan(name: &str, trials: usize, seed: u64) -> FigurePlan {
+    FigurePlan::new(figure(name).unwrap(), trials, seed).unwrap()
+}
+
+fn computed(plan: &FigurePlan) -> FigureSum {
+    let mut sum = plan.start();
+    for job in 0..plan.jobs() {
+        sum.merge(&plan.job(job).unwrap()).unwrap();
+    }
+    sum
+}
+
+fn begins(claim: &Claim, with: &[&str]) -> bool {
+    with.iter().any(|start| claim.what.starts_with(start))
+}
+
+/// Claims whose verdict is not the expected one.
+fn surprises(claims: &[Claim]) -> Vec<String> {
+    let surprising = |claim: &&Claim| match claim.verdict {
+        Verdict::Holds => begins(claim, &FAIL),
+        Verdict::DoesNotHold => !begins(claim, &FAIL),
+        Verdict::NotDecided => !begins(claim, &OPEN),
+    };
+    claims.iter().filter(surprising).map(Claim::to_string).collect()
+}
+
+/// The studies with the figures of two estimators exchanged.
+fn exchanged(studies: &[StudyReport], a: EstimatorName, b: EstimatorName) -> Vec<StudyReport> {
+    let mut studies = studies.to_vec();
+    for estimator in studies.iter_mut().flat_map(|study| &mut study.estimators) {
+        estimator.name = match estimator.name {
+            name if name == a => b,
+            name if name == b => a,
+            name => name,
+        };
+    }
+    studies
+}
+
+#[test]
+fn the_claims_come_out_as_known_and_spoiled_ones_do_not() {
+    let spoils = [(Kf, UcKf, 5), (Kf, Eskf, 1), (EtKf, Ortho, 1), (Eskf, EskfRaw, 1)];
+    for (name, claims, spoils) in [("tracking-2", 35, &spoils[..]), ("tracking-3", 14, &spoils[..2])] {
+        let plan = plan(name, figure(name).unwrap().trials, SEED);
+        let sum = computed(&plan);
+        let report = plan.report(&sum);
+        println!("{}\n{}", report.heading(), report.caption);
+        report.claims.iter().for_each(|claim| println!("  {claim}"));
+        assert_eq!((report.trials, report.claims.len()), (1000, claims), "{name}");
+        assert_eq!(surprises(&report.claims), [""; 0], "{name}");
+        let uncertain = report.claims.iter().filter_map(|claim| claim.found);
+        let uncertain = uncertain.filter(|found| found.standard_error > 0.0).count();
+        assert!(uncertain + 5 >= claims, "{name}: {uncertain} claims with a standard error");
+        let studies = plan.studies(&sum);
+        for &(a, b, least) in spoils {
+            let spoiled = plan.report_of(&exchanged(&studies, a, b)).claims;
+            let broken = spoiled.iter().zip(&report.claims).filter(|(spoiled, sound)| {
+                sound.verdict == Verdict::Holds && spoiled.verdict == Verdict::DoesNotHold
+            });
+            let broken = broken.count();
+            assert!(broken >= least, "{name}, {a} and {b} exchanged: {broken} claims broken");
+        }
+    }
+}
+
+#[test]
+fn another_seed_contradicts_nothing() {
+    for name in ["tracking-2", "tracking-3"] {
+        let claims = [11, 12].map(|seed| {
+            let plan = plan(name, 200, seed);
+            plan.report(&computed(&plan)).claims
+        });
+        for (one, other) in claims[0].iter().zip(&claims[1]) {
+            let verdicts = [one.verdict, other.verdict];
+            let contradict = verdicts.contains(&Verdict::Holds) && verdicts.contains(&Verdict::DoesNotHold);
+            assert!(!contradict, "{one}\n{other}");
+        }
+    }
+}
+
+#[test]
+fn without_numbers_nothing_is_decided() {
+    for figure in &FIGURES {
+        let plan = FigurePlan::new(figure, 1, SEED).unwrap();
+        let mut studies = plan.studies(&computed(&plan));
+        for study in &mut studies {
+            study.estimators.clear();
+            study.bounds.clear();
+        }
+        let report = plan.report_of(&studies);
+        assert!(report.panels.iter().all(|panel| panel.curves.is_empty()), "{}", figure.name);
+        assert!(report.claims.iter().all(|claim| claim.verdict == Verdict::NotDecided), "{}", figure.name);
+        let open = format!("{} are not decided", report.claims.iter().filter(|c| c.found.is_none()).count());
+        assert!(report.claims.len() > 10 && !open.starts_with('0'));
+    }
+}
+
+#[test]
+fn any_split_of_the_jobs_gives_the_same_bits() {
+    let plan = plan("tracking-3", 230, 5);
+    let straight = plan.report(&computed(&plan));
+    let mut rows: Vec<Vec<f64>> =
+        (0..plan.jobs()).rev().map(|job| plan.to_numbers(&plan.job(job).unwrap())).collect();
+    rows.reverse();
+    let mut sum = plan.start();
+    for row in &rows {
+        sum.merge(&plan.from_numbers(row).unwrap()).unwrap();
+    }
+    assert_eq!((sum.jobs(), plan.report(&sum)), (plan.jobs(), straight.clone()));
+    let text = serde_json::to_string(&straight).unwrap();
+    assert_eq!(serde_json::from_str::<FigureReport>(&text).unwrap(), straight);
+    let direct = plan.report_of(&plan.studies(&sum));
+    assert_ne!(direct.claims, straight.claims, "the jackknife changes standard errors");
+    let values =
+        |report: &FigureReport| report.claims.iter().map(|c| c.found.map(|f| f.value)).collect::<Vec<_>>();
+    assert_eq!(values(&direct), values(&straight), "and no values");
+}
+
+#[test]
+fn a_figure_grows_in_all_its_curves() {
+    let plan = plan("tracking-2", 100, 1);
+    let mut sum = plan.start();
+    for job in 0..10 {
+        sum.merge(&plan.job(job).unwrap()).unwrap();
+    }
+    let report = plan.report(&sum);
+    assert_eq!(report.trials, 40);
+    assert!(report.caption.contains("over 40 trials"), "{}", report.caption);
+    let points = report.panels.iter().flat_map(|panel| &panel.curves).flat_map(|curve| &curve.points);
+    assert!(points.clone().all(|point| point.trials + point.failures == 40) && points.count() > 400);
+}
+
+#[test]
+fn wrong_jobs_are_refused() {
+    let plan = plan("tracking-3", 60, 1);
+    let job = |index| plan.job(index).unwrap();
+    let mut sum = plan.start();
+    let refused = sum.clone().merge(&job(1)).unwrap_err().to_string();
+    assert_eq!(refused, "1 jobs before the one that is joined where 0 are needed");
+    sum.merge(&job(0)).unwrap();
+    assert!(sum.merge(&job(0)).is_err() && sum.merge(&job(2)).is_err());
+    sum.merge(&job(1)).unwrap();
+    assert!(plan.job(plan.jobs()).is_err());
+    let row = plan.to_numbers(&job(2));
+    for (name, trials, seed) in [("tracking-2", 60, 1), ("tracking-3", 80, 1), ("tracking-3", 60, 2)] {
+        assert!(self::plan(name, trials, seed).from_numbers(&row).is_err(), "{name} {trials} {seed}");
+    }
+    for end in [0, 3, 4, row.len() - 1] {
+        assert!(plan.from_numbers(&row[..end]).is_err(), "{end} numbers");
+    }
+    for number in [-1.0, 0.5, 6.0, f64::NAN, f64::INFINITY] {
+        let mut spoiled = row.clone();
+        spoiled[3] = number;
+        assert!(plan.from_numbers(&spoiled).is_err(), "job {number}");
+    }
+    assert!(FigurePlan::new(figure("tracking-3").unwrap(), 0, 1).is_err());
+    assert!(FigurePlan::new(figure("tracking-3").unwrap(), 10, u64::MAX).is_err());
+}
+
+#[test]
+fn a_claim_without_a_number_or_with_a_wide_one_is_not_decided() {
+    let found = |value, standard_error| Some(rangelab::study::moments::Estimate { value, standard_error });
+    let verdict = |found| {
+        Claim::new(rangelab::study::figures::claim::Source::Paper, "", found, Target::between(1.0, 2.0))
+            .verdict
+    };
+    assert_eq!(verdict(None), Verdict::NotDecided);
+    assert_eq!(verdict(found(1.5, 0.1)), Verdict::Holds);
+    assert_eq!(verdict(found(1.5, 0.2)), Verdict::NotDecided);
+    assert_eq!(verdict(found(f64::NAN, 0.1)), Verdict::NotDecided);
+    assert_eq!(verdict(found(2.5, 0.1)), Verdict::DoesNotHold);
+    assert_eq!(verdict(found(0.5, 0.1)), Verdict::DoesNotHold);
+    assert_eq!(verdict(found(0.9, 0.1)), Verdict::NotDecided);
+}

@@ -4,15 +4,19 @@ mod choices;
 mod estimate;
 mod failure;
 mod field;
+mod figure;
 mod input;
 mod output;
+mod picture;
 mod place;
 mod presets;
 mod progress;
 mod run;
 mod simulate;
 mod study;
+mod text;
 mod validate;
+mod workers;
 
 use clap::{Parser, Subcommand};
 
@@ -24,6 +28,7 @@ const EXAMPLES: &str = "\
 Examples:
   rangelab presets                               what is there to try
   rangelab study tracking-paper --trials 1000    errors, bounds and their ratios over many trials
+  rangelab figure tracking-2 -o figure.svg       a figure of a paper, with what holds of it
   rangelab place room -o better.json             where the anchors should stand
   rangelab run room --format csv -o run.csv      one trial, every step of every estimator
   rangelab field room --format png -o field.png  the bound as a landscape
@@ -48,6 +53,7 @@ pub enum Command {
     Simulate(simulate::SimulateCommand),
     Estimate(estimate::EstimateCommand),
     Study(study::StudyCommand),
+    Figure(figure::FigureCommand),
     Field(field::FieldCommand),
     Place(place::PlaceCommand),
     Presets(presets::PresetsCommand),
@@ -62,6 +68,7 @@ impl Command {
             Self::Simulate(command) => command.execute(),
             Self::Estimate(command) => command.execute(),
             Self::Study(command) => command.execute(),
+            Self::Figure(command) => command.execute(),
             Self::Field(command) => command.execute(),
             Self::Place(command) => command.execute(),
             Self::Presets(command) => command.execute(),

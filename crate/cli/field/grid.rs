@@ -7,7 +7,7 @@ use rangelab::model::ranging::RangeForm;
 use rangelab::model::scenario::Scenario;
 use rangelab::with_dimension;
 
-use super::picture::scale::short;
+use crate::cli::picture::scale::short;
 
 pub struct Grid {
     pub scenario: Scenario,

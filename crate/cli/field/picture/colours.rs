@@ -1,6 +1,6 @@
 //! The colours of a field, those of the page's light theme.
 
-use super::canvas::{Colour, mixed};
+use crate::cli::picture::canvas::{Colour, mixed};
 
 /// Viridis (S. van der Walt and N. Smith, 2015, CC0) at sixteen even places.
 const STOPS: [Colour; 16] = [
@@ -32,7 +32,7 @@ const HATCH: usize = 8;
 pub fn colour_at(place: f64) -> Colour {
     let last = STOPS.len() - 1;
     let along = place.clamp(0.0, 1.0) * last as f64;
-    let stop = super::canvas::cell(place, last);
+    let stop = crate::cli::picture::canvas::cell(place, last);
     mixed(STOPS[stop], STOPS[stop + 1], along - stop as f64)
 }
 

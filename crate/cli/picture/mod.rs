@@ -1,0 +1,4 @@
+//! What pictures have in common: pixels with letters, and scales.
+
+pub mod canvas;
+pub mod scale;
