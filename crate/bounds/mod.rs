@@ -19,7 +19,7 @@ pub mod size;
 pub mod twin;
 
 pub use along::{StepBounds, bounds_along, visit_bounds};
-pub use cause::Cause;
+pub use crate::model::lack::Cause;
 pub use constrained::{crb, unitary_crb};
 pub use fisher::{FisherInformation, fisher_information, fisher_information_of};
 pub use kinds::{Bound, BoundKind, BoundMatrix};

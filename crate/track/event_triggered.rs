@@ -2,7 +2,7 @@
 
 use super::filter::{Estimator, Step, Uncertainty};
 use super::kalman::{KalmanFilter, Update};
-use super::projection::project_in_metric;
+use crate::math::projection::project_in_metric;
 use crate::error::Result;
 use crate::math::block::OrientationMetric;
 use crate::math::pose::Theta;

@@ -5,7 +5,7 @@ use nalgebra::{SMatrix, SVector};
 use super::event_triggered::project_jointly;
 use super::filter::{Estimator, Step, Uncertainty, not_positive};
 use super::kalman::{KalmanFilter, Update};
-use super::projection::project_in_metric;
+use crate::math::projection::project_in_metric;
 use crate::error::Result;
 use crate::math::block::BlockMatrix;
 use crate::math::linalg::spd_inverse;
