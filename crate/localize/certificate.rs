@@ -23,7 +23,9 @@ pub(super) fn certified<const D: usize>(rotation: &Rotation<D>, reduced: &Reduce
     let s = (s + s.transpose()) * 0.5;
     let turned = r * s * r.transpose();
     let metric = reduced.metric.to_blocks();
-    SHARES.iter().any(|&share| lagrangian(&metric, &(s * share), &(turned * (1.0 - share))).is_positive_on_orientation())
+    SHARES.iter().any(|&share| {
+        lagrangian(&metric, &(s * share), &(turned * (1.0 - share))).is_positive_on_orientation()
+    })
 }
 
 fn lagrangian<const D: usize>(

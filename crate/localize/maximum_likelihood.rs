@@ -36,7 +36,8 @@ pub fn gauss_newton<const D: usize>(snapshot: &Snapshot<D>) -> Result<Estimate<D
     let start = centred(snapshot, &simplified(snapshot, Manifold::So)?);
     let linearized = RangeFit::new(snapshot, Loss::Squared).linearized(&start);
     let step = step(&linearized, 0.0).filter(|_| is_seen(&linearized));
-    let step = step.ok_or_else(|| snapshot.unobservable("the Gauss-Newton step", RangeForm::Raw, Parameters::Pose))?;
+    let step =
+        step.ok_or_else(|| snapshot.unobservable("the Gauss-Newton step", RangeForm::Raw, Parameters::Pose))?;
     Ok(estimate(snapshot, &moved(&start, &step), 1, Optimum::Formula))
 }
 

@@ -111,8 +111,6 @@ pub fn localize<const D: usize>(
         LocalizerName::OucTlsPrinted => total(PRINTED_TLS_SIGMA),
         LocalizerName::OucTls => total(settings.tls_sigma.unwrap_or(mounting_sigma)),
         LocalizerName::GaussNewton => maximum_likelihood::gauss_newton(snapshot),
-        LocalizerName::MaximumLikelihood => {
-            maximum_likelihood::maximum_likelihood(snapshot, settings.loss)
-        }
+        LocalizerName::MaximumLikelihood => maximum_likelihood::maximum_likelihood(snapshot, settings.loss),
     }
 }

@@ -50,7 +50,9 @@ pub fn optimal<const D: usize>(
     if snapshot.sensor_rank() + 1 < D {
         return Err(unseen());
     }
-    let found = if D == 2 { in_the_plane(&reduced, manifold) } else {
+    let found = if D == 2 {
+        in_the_plane(&reduced, manifold)
+    } else {
         let first = start(snapshot, &reduced, manifold);
         in_space(&first, &reduced, manifold, multi_start)?
     };

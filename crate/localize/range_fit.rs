@@ -75,7 +75,8 @@ impl<'a, const D: usize> RangeFit<'a, D> {
 
     /// The cost of a pose of the sensors' centroid.
     pub(super) fn cost(&self, pose: &Pose<D>) -> f64 {
-        let residual = |pair: &Pair| pair.weight * (separation(self.snapshot, pose, pair).norm() - pair.range);
+        let residual =
+            |pair: &Pair| pair.weight * (separation(self.snapshot, pose, pair).norm() - pair.range);
         self.pairs.iter().map(|pair| rho(self.loss, residual(pair)).0).sum()
     }
 

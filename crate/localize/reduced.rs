@@ -20,10 +20,7 @@ pub(super) const ENTRIES: usize = 9;
 const MIN_PART: f64 = 1e-12;
 
 /// `W` of the cost `(q - q_LS)^T W (q - q_LS)`.
-#[allow(
-    clippy::large_enum_variant,
-    reason = "both live on the stack, for the time of one estimate"
-)]
+#[allow(clippy::large_enum_variant, reason = "both live on the stack, for the time of one estimate")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ReducedMetric<const D: usize> {
     /// `(C C^T) (x) R`: all sensors share `R`.
@@ -186,7 +183,11 @@ impl<const D: usize> Snapshot<'_, D> {
 }
 
 /// What a sensor's ranges cost at a place (from the place that the equations are about).
-fn residual_at<const D: usize>(equations: &SensorEquations<D>, place: &SVector<f64, D>, discount: f64) -> f64 {
+fn residual_at<const D: usize>(
+    equations: &SensorEquations<D>,
+    place: &SVector<f64, D>,
+    discount: f64,
+) -> f64 {
     let Some(covariance) = inverse(&equations.gram) else {
         return equations.energy - place.dot(&(equations.vector * 2.0 - equations.gram * place));
     };

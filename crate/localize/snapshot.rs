@@ -61,13 +61,8 @@ impl<'a, const D: usize> Snapshot<'a, D> {
             add_outer(&mut gram, 1.0, c, c);
         }
         let mut equations = Vec::with_capacity(levers.len());
-        let shared = model.sensor_equations(
-            ranges,
-            weight_ranges,
-            RangeForm::Projected,
-            |_| place,
-            &mut equations,
-        )?;
+        let shared =
+            model.sensor_equations(ranges, weight_ranges, RangeForm::Projected, |_| place, &mut equations)?;
         let moments = singular(&gram);
         Ok(Self { model, ranges, weight_ranges, equations, shared, levers, centre, place, moments, gram })
     }
@@ -90,7 +85,11 @@ impl<'a, const D: usize> Snapshot<'a, D> {
     }
 
     /// `[Q | t]` of the body frame from that of the sensors' centroid.
-    pub(super) fn in_body_frame(&self, orientation: SMatrix<f64, D, D>, centroid: SVector<f64, D>) -> Theta<D> {
+    pub(super) fn in_body_frame(
+        &self,
+        orientation: SMatrix<f64, D, D>,
+        centroid: SVector<f64, D>,
+    ) -> Theta<D> {
         Theta { orientation, position: centroid - orientation * self.centre }
     }
 

@@ -29,8 +29,7 @@ pub(super) fn start<const D: usize>(
         ReducedMetric::Full(metric) => {
             let s = singular(&padded(metric));
             let unused = ENTRIES - D * D;
-            let axis =
-                |k: usize| SMatrix::<f64, D, D>::from_fn(|i, j| s.right[(j * D + i, unused + k)]);
+            let axis = |k: usize| SMatrix::<f64, D, D>::from_fn(|i, j| s.right[(j * D + i, unused + k)]);
             let y = on_sphere::<D>(|k| (s.values[unused + k], axis(k).dot(&reduced.weighted)));
             (0..D * D).fold(SMatrix::zeros(), |sum, k| sum + axis(k) * y[k])
         }
@@ -49,15 +48,13 @@ fn on_sphere<const D: usize>(along: impl Fn(usize) -> (f64, f64)) -> [f64; ENTRI
 
 /// The 24 rotations that take a cube to itself; no rotation is farther than 63 degrees from one of them. In the plane the 4.
 pub(super) fn cube_rotations<const D: usize>() -> impl Iterator<Item = Rotation<D>> {
-    let permutations: [[usize; 3]; 6] =
-        [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]];
+    let permutations: [[usize; 3]; 6] = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]];
     let signed = permutations.into_iter().flat_map(|columns| (0..8_u8).map(move |signs| (columns, signs)));
     signed.filter_map(|(columns, signs)| {
         let sign = |i: usize| if signs & (1 << i) == 0 { 1.0 } else { -1.0 };
         let full = SMatrix::<f64, 3, 3>::from_fn(|i, j| if columns[i] == j { sign(i) } else { 0.0 });
         let inside = D == 3 || full[(2, 2)] == 1.0;
         let rotation = crate::math::rotation::determinant(&full) > 0.0;
-        (inside && rotation)
-            .then(|| Rotation::from_matrix_unchecked(SMatrix::from_fn(|i, j| full[(i, j)])))
+        (inside && rotation).then(|| Rotation::from_matrix_unchecked(SMatrix::from_fn(|i, j| full[(i, j)])))
     })
 }

@@ -12,10 +12,7 @@ use super::singular::singular;
 /// With `x = (cos, sin)` this is `x^T A x - 2 b^T x` on the unit circle. Its stationary points are the roots of a
 /// quartic in the multiplier; the global minimum is the largest root, the one beyond the least eigenvalue of `-A`, where
 /// `||(A + multiplier)^-1 b|| = 1` is monotone.
-pub fn plane_minimum<const D: usize>(
-    metric: &BlockMatrix<D>,
-    weighted: &SMatrix<f64, D, D>,
-) -> Rotation<D> {
+pub fn plane_minimum<const D: usize>(metric: &BlockMatrix<D>, weighted: &SMatrix<f64, D, D>) -> Rotation<D> {
     let block = |i: usize, j: usize| Matrix2::from_fn(|r, c| metric.block(i, j)[(r, c)]);
     // Column 0 of Q is x, column 1 is J x.
     let turn = Matrix2::new(0.0, -1.0, 1.0, 0.0);
@@ -74,8 +71,7 @@ pub fn sphere_minimum<const N: usize>(values: &[f64; N], beta: &[f64; N], radius
     // Each coordinate alone must not be longer than the sphere allows: the root is beyond this.
     let mut nu = (0..N).fold(0.0, |nu: f64, i| nu.max(beta[i].abs() / radius - gap[i]));
     if nu <= f64::EPSILON * scale / radius {
-        let mut y: [f64; N] =
-            core::array::from_fn(|i| if gap[i] > 0.0 { beta[i] / gap[i] } else { 0.0 });
+        let mut y: [f64; N] = core::array::from_fn(|i| if gap[i] > 0.0 { beta[i] / gap[i] } else { 0.0 });
         y[least] = 0.0;
         let rest = radius * radius - y.iter().map(|y| y * y).sum::<f64>();
         if rest >= 0.0 {

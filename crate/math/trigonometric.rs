@@ -123,7 +123,11 @@ fn root_between(polynomial: &[f64; 5], low: f64, high: f64) -> Option<f64> {
     let (mut low, mut high, mut x) = (low, high, 0.5 * (low + high));
     for _ in 0..MAX_HALVINGS {
         let (value, slope) = value_and_slope(polynomial, x);
-        if (value < 0.0) == (at_low < 0.0) { low = x } else { high = x }
+        if (value < 0.0) == (at_low < 0.0) {
+            low = x
+        } else {
+            high = x
+        }
         let newton = x - value / slope;
         let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
         if (next - x).abs() <= f64::EPSILON * x.abs() || high - low <= f64::EPSILON * high.abs() {

@@ -55,7 +55,8 @@ impl<const D: usize> RangeModel<D> {
         equations.clear();
         for n in 0..ranges.sensors() {
             let weight = |m: usize| {
-                let squared = if common { self.first_range(weight_ranges, m) } else { weight_ranges.get(m, n) };
+                let squared =
+                    if common { self.first_range(weight_ranges, m) } else { weight_ranges.get(m, n) };
                 squared.map(|d| 1.0 / self.noise().squared_range_variance(d.max(floor)))
             };
             equations.push(self.equations_of(ranges.of_sensor(n), weight, form, &place(n)));
