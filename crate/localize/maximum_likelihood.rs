@@ -19,10 +19,10 @@ use crate::model::noise::RangeNoise;
 use crate::model::ranging::RangeForm;
 
 const WHAT: &str = "maximum likelihood";
-const MAX_ITERATIONS: usize = 60;
+const MAX_ITERATIONS: usize = 40;
 
 /// A step that promises to lower the cost by less than this part of it (or of one range) is the last.
-const SETTLED: f64 = 1e-13;
+const SETTLED: f64 = 1e-12;
 
 /// Where knowing nothing of the other coordinates costs more than this factor in the variance of one, it is not seen.
 const MAX_INFLATION: f64 = 1e12;

@@ -1,13 +1,17 @@
 //! Unitarily constrained least squares in closed form: the orthogonal Procrustes problem.
 
+use alloc::vec::Vec;
+
 use nalgebra::{SMatrix, SVector};
 
+use super::reduced::ReducedMetric;
 use super::snapshot::Snapshot;
 use super::{Estimate, Optimum};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::math::rotation::{Manifold, Rotation};
 use crate::model::lack::Parameters;
 use crate::model::ranging::RangeForm;
+use crate::model::spread::Spread;
 
 /// SUC-LS, and SUC-TLS, which is the same (\[L\] Theorems 1 and 2): the orthogonal matrix that takes the body nearest to the
 /// classical positions of its sensors, all weighted alike. Sensors whose own ranges do not show them are left out.
@@ -37,11 +41,12 @@ pub fn simplified<const D: usize>(snapshot: &Snapshot<D>, manifold: Manifold) ->
     Ok(Estimate::new(snapshot.in_body_frame(orientation, centroid), 0, Optimum::Formula))
 }
 
-/// Weighted SUC-LS: the polar factor of `B C^T` instead of that of `R^-1 B C^T`.
+/// Weighted SUC-LS: the polar factor of `R Q_LS`, the nearest orthogonal matrix in the metric of the anchors.
 ///
-/// Multiplied out, the cost of the OUC-LS is `tr(R Q C C^T Q^T) - 2 tr(Q^T B C^T)`. For a body of equal moments, `C C^T ~ I`,
-/// the first term does not depend on `Q` and this is the OUC-LS; the SUC-LS is that where the anchors see all directions
-/// alike, `R ~ I`. It needs no position of any single sensor.
+/// The SUC-LS is the polar factor of `Q_LS C C^T`. Each is the OUC-LS, `arg min tr(R (Q - Q_LS) C C^T (Q - Q_LS)^T)`, with one of
+/// its two weights left out: exact for a body of equal moments, `C C^T ~ I`, as the SUC-LS is where the anchors see all
+/// directions alike, `R ~ I`. Both are right without noise; with both weights, as the polar factor of `R Q_LS C C^T`, it would
+/// not be. Where sensors do not share `R`, their sum weighted by the distances from the centroid takes its place.
 ///
 /// # Errors
 /// [`crate::Error::Unobservable`] with the cause.
@@ -51,7 +56,11 @@ pub fn weighted<const D: usize>(snapshot: &Snapshot<D>, manifold: Manifold) -> R
     if snapshot.sensor_rank() + 1 < D {
         return Err(unseen(snapshot, what));
     }
-    let orientation = *Rotation::project(&reduced.weighted, manifold).matrix();
+    let anchors = match &reduced.metric {
+        ReducedMetric::Shared(metric) => metric.anchors,
+        ReducedMetric::Full(metric) => (0..D).fold(SMatrix::zeros(), |sum, j| sum + metric.block(j, j)),
+    };
+    let orientation = *Rotation::project(&(anchors * reduced.target), manifold).matrix();
     let centroid = reduced.centroid(&orientation);
     Ok(Estimate::new(snapshot.in_body_frame(orientation, centroid), 0, Optimum::Formula))
 }
@@ -59,10 +68,10 @@ pub fn weighted<const D: usize>(snapshot: &Snapshot<D>, manifold: Manifold) -> R
 /// Whether the sensors that are seen by themselves show every turn.
 fn spans<const D: usize>(snapshot: &Snapshot<D>) -> bool {
     let seen = (0..snapshot.levers.len()).filter(|&n| snapshot.sensor_position(n).is_some());
-    let sensors: alloc::vec::Vec<_> = seen.map(|n| snapshot.levers[n]).collect();
-    !sensors.is_empty() && crate::model::spread::Spread::of(&sensors).rank() + 1 >= D
+    let sensors: Vec<_> = seen.map(|n| snapshot.levers[n]).collect();
+    !sensors.is_empty() && Spread::of(&sensors).rank() + 1 >= D
 }
 
-fn unseen<const D: usize>(snapshot: &Snapshot<D>, what: &'static str) -> crate::error::Error {
+fn unseen<const D: usize>(snapshot: &Snapshot<D>, what: &'static str) -> Error {
     snapshot.unobservable(what, RangeForm::Projected, Parameters::Pose)
 }

@@ -22,7 +22,8 @@ pub enum LocalizerName {
     Ls,
     /// Simplified unitarily constrained least squares: the classical positions fitted by a rotation (\[L\] eq. 20).
     SucLs,
-    /// The same with the positions weighted by what the anchors see of them; exact for a body of equal moments.
+    /// The LS matrix fitted by a rotation, its rows weighted by what the anchors see of them; exact for a body of equal
+    /// moments.
     SucLsWeighted,
     /// Optimal unitarily constrained least squares by Newton's method (\[L\] eq. 22, Algorithm 1).
     OucLs,

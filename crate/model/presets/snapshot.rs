@@ -1,11 +1,13 @@
 //! The set-up of \[L\] Sec. VII.
 
+use alloc::vec;
+
 use super::base;
 use crate::math::float::radians;
 use crate::math::rotation::Rotation;
 use crate::model::document::entries::{PoseEntries, rows};
 use crate::model::noise::RangeNoise;
-use crate::model::scenario::{InitialSettings, RedrawAnchors, Scenario};
+use crate::model::scenario::{InitialSettings, MotionSettings, RedrawAnchors, Scenario};
 
 /// Uniform in the cube of half width 500 m; of 201 draws the one whose UC-CRB of the orientation is the median
 /// (`localization_cube_500` of the specification's `paper-anchors.json`).
@@ -34,11 +36,16 @@ pub fn fixed() -> Scenario {
         Rotation::<3>::exp(&phi)
     };
     let rotation = turn(2, 10.0).compose(&turn(1, -25.0)).compose(&turn(0, 20.0));
-    let start = PoseEntries { orientation: rows(rotation.matrix()), position: [100.0, 100.0, 55.0].to_vec() };
+    let start = PoseEntries { orientation: rows(rotation.matrix()), position: vec![100.0, 100.0, 55.0] };
     let scenario = base("localization-paper", &ANCHORS, &PYRAMID, RangeNoise::Toa { zeta_db: 60.0 });
     // A filter that starts here knows nothing: the prior reaches from the origin to the body and beyond.
     let initial = InitialSettings { covariance: 1e6, ..scenario.initial };
-    Scenario { steps: 1, start, initial, ..scenario }
+    let still = MotionSettings {
+        velocity: vec![0.0; 3],
+        angular_velocity: vec![0.0; 3],
+        ..MotionSettings::default()
+    };
+    Scenario { steps: 1, start, initial, motion: still, ..scenario }
 }
 
 pub fn redrawn() -> Scenario {
