@@ -160,7 +160,7 @@ fn trials_seeds_and_neighbouring_streams_are_independent() {
     };
     let mut streams = Vec::new();
     for (seed, trial) in [(0, 0), (0, 1), (1, 0), (1, 1), (2, 0), (u64::MAX, 7)] {
-        for part in [Part::Anchors, Part::Motion, Part::Epoch(0), Part::Epoch(1)] {
+        for part in [Part::Anchors, Part::Motion, Part::Epoch(0), Part::Epoch(1), Part::Mounting] {
             streams.push(normals(seed, trial, part));
         }
     }

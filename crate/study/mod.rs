@@ -7,6 +7,7 @@ pub mod error;
 pub mod exploration;
 pub mod figures;
 mod flat;
+pub mod localization;
 pub mod moments;
 pub mod monte_carlo;
 pub mod report;

@@ -19,7 +19,8 @@ use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 pub use explore::{
-    explore, field_layout, field_parameters, field_probe, field_program, field_rows, size_curve,
+    explore, field_layout, field_parameters, field_probe, field_program, field_rows, mounting_cloud,
+    size_curve,
 };
 pub use place::{advise, improve};
 pub use study::{StudySum, study_block};
