@@ -71,7 +71,7 @@ fn the_claims_come_out_as_known_and_spoiled_ones_do_not() {
     for (name, claims, spoils) in [("tracking-2", 35, &spoils[..]), ("tracking-3", 14, &spoils[..2])] {
         let plan = plan(name, figure(name).unwrap().trials, SEED);
         let sum = computed(&plan);
-        let report = plan.report(&sum);
+        let report = plan.report(&sum).unwrap();
         println!("{}\n{}", report.heading(), report.caption);
         report.claims.iter().for_each(|claim| println!("  {claim}"));
         assert_eq!((report.trials, report.claims.len()), (1000, claims), "{name}");
@@ -79,7 +79,7 @@ fn the_claims_come_out_as_known_and_spoiled_ones_do_not() {
         let uncertain = report.claims.iter().filter_map(|claim| claim.found);
         let uncertain = uncertain.filter(|found| found.standard_error > 0.0).count();
         assert!(uncertain + 5 >= claims, "{name}: {uncertain} claims with a standard error");
-        let studies = plan.studies(&sum);
+        let studies = plan.studies(&sum).unwrap();
         for &(a, b, least) in spoils {
             let spoiled = plan.report_of(&exchanged(&studies, a, b)).claims;
             let broken = spoiled.iter().zip(&report.claims).filter(|(spoiled, sound)| {
@@ -96,7 +96,7 @@ fn another_seed_contradicts_nothing() {
     for name in ["tracking-2", "tracking-3"] {
         let claims = [11, 12].map(|seed| {
             let plan = plan(name, 200, seed);
-            plan.report(&computed(&plan)).claims
+            plan.report(&computed(&plan)).unwrap().claims
         });
         for (one, other) in claims[0].iter().zip(&claims[1]) {
             let verdicts = [one.verdict, other.verdict];
@@ -110,7 +110,7 @@ fn another_seed_contradicts_nothing() {
 fn without_numbers_nothing_is_decided() {
     for figure in &FIGURES {
         let plan = FigurePlan::new(figure, 1, SEED).unwrap();
-        let mut studies = plan.studies(&computed(&plan));
+        let mut studies = plan.studies(&computed(&plan)).unwrap();
         for study in &mut studies {
             study.estimators.clear();
             study.bounds.clear();
@@ -126,7 +126,7 @@ fn without_numbers_nothing_is_decided() {
 #[test]
 fn any_split_of_the_jobs_gives_the_same_bits() {
     let plan = plan("tracking-3", 230, 5);
-    let straight = plan.report(&computed(&plan));
+    let straight = plan.report(&computed(&plan)).unwrap();
     let mut rows: Vec<Vec<f64>> =
         (0..plan.jobs()).rev().map(|job| plan.to_numbers(&plan.job(job).unwrap())).collect();
     rows.reverse();
@@ -134,10 +134,10 @@ fn any_split_of_the_jobs_gives_the_same_bits() {
     for row in &rows {
         sum.merge(&plan.from_numbers(row).unwrap()).unwrap();
     }
-    assert_eq!((sum.jobs(), plan.report(&sum)), (plan.jobs(), straight.clone()));
+    assert_eq!((sum.jobs(), plan.report(&sum).unwrap()), (plan.jobs(), straight.clone()));
     let text = serde_json::to_string(&straight).unwrap();
     assert_eq!(serde_json::from_str::<FigureReport>(&text).unwrap(), straight);
-    let direct = plan.report_of(&plan.studies(&sum));
+    let direct = plan.report_of(&plan.studies(&sum).unwrap());
     assert_ne!(direct.claims, straight.claims, "the jackknife changes standard errors");
     let values =
         |report: &FigureReport| report.claims.iter().map(|c| c.found.map(|f| f.value)).collect::<Vec<_>>();
@@ -151,7 +151,7 @@ fn a_figure_grows_in_all_its_curves() {
     for job in 0..10 {
         sum.merge(&plan.job(job).unwrap()).unwrap();
     }
-    let report = plan.report(&sum);
+    let report = plan.report(&sum).unwrap();
     assert_eq!(report.trials, 40);
     assert!(report.caption.contains("over 40 trials"), "{}", report.caption);
     let points = report.panels.iter().flat_map(|panel| &panel.curves).flat_map(|curve| &curve.points);

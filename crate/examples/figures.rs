@@ -12,7 +12,7 @@ fn main() -> rangelab::Result<()> {
         for job in 0..plan.jobs() {
             sum.merge(&plan.job(job)?)?;
         }
-        let report = plan.report(&sum);
+        let report = plan.report(&sum)?;
         println!("\n{}\n{}", report.heading(), report.command);
         report.claims.iter().for_each(|claim| println!("  {claim}"));
     }

@@ -85,7 +85,7 @@ impl FigureCommand {
         let jobs =
             Jobs { count: plan.jobs(), job: |index| plan.job(index), merge: |block| sum.merge(&block) };
         jobs.run(name, self.threads.count())?;
-        Ok(plan.report(&sum))
+        plan.report(&sum).map_err(about)
     }
 
     /// What was asked for, or what the name of the file says.

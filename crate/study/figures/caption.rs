@@ -10,7 +10,7 @@ use super::claim::{Claim, Source, Verdict};
 /// What the paper says, how much was computed, and which of its claims hold.
 pub(super) fn caption(figure: &Figure, trials: usize, seed: u64, claims: &[Claim]) -> String {
     let of = |source| claims.iter().filter(move |claim| claim.source == source);
-    let mut text = format!("{} says: {} ", figure.paper(), figure.statement);
+    let mut text = format!("The paper says: {} ", figure.statement);
     text += &format!("Here, over {trials} trials (seed {seed}): ");
     text += &counts(of(Source::Paper).collect(), "of the paper");
     text += &counts(of(Source::Beyond).collect(), "beyond it");

@@ -125,7 +125,7 @@ impl fmt::Display for Verdict {
         f.pad(match self {
             Self::Holds => "holds",
             Self::DoesNotHold => "does not hold",
-            Self::NotDecided => "not decided at this number of trials",
+            Self::NotDecided => "not decided",
         })
     }
 }

@@ -7,9 +7,9 @@
 use alloc::vec::Vec;
 
 use super::claim::Claim;
+use super::experiment::Sums;
 use crate::error::Result;
 use crate::math::float::sqrt;
-use crate::study::block::Block;
 use crate::study::moments::Estimate;
 
 /// So many groups at most: enough for the standard error of a standard error to be a tenth.
@@ -20,20 +20,20 @@ const LEAST_GROUPS: usize = 10;
 /// The sums of a study, in groups of blocks that come one after another.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Groups {
-    start: Block,
+    start: Sums,
     blocks_per_group: usize,
     blocks: usize,
-    groups: Vec<Block>,
+    groups: Vec<Sums>,
 }
 
 impl Groups {
     /// No trials yet of a study of so many blocks.
-    pub(super) fn new(start: Block, blocks: usize) -> Self {
+    pub(super) fn new(start: Sums, blocks: usize) -> Self {
         Self { start, blocks_per_group: blocks.div_ceil(GROUPS).max(1), blocks: 0, groups: Vec::new() }
     }
 
     /// Joins the block that comes next.
-    pub(super) fn merge(&mut self, next: &Block) -> Result<()> {
+    pub(super) fn merge(&mut self, next: &Sums) -> Result<()> {
         let opens = self.blocks.is_multiple_of(self.blocks_per_group);
         match self.groups.last_mut().filter(|_| !opens) {
             Some(group) => group.merge(next)?,
@@ -44,7 +44,7 @@ impl Groups {
     }
 
     /// All trials.
-    pub(super) fn total(&self) -> Block {
+    pub(super) fn total(&self) -> Sums {
         self.groups.iter().fold(self.start.clone(), |mut total, group| {
             total.append(group);
             total
@@ -52,11 +52,11 @@ impl Groups {
     }
 
     /// For each group, all trials but its own; nothing where there are few groups.
-    pub(super) fn without_each(&self) -> Vec<Block> {
+    pub(super) fn without_each(&self) -> Vec<Sums> {
         if self.groups.len() < LEAST_GROUPS {
             return Vec::new();
         }
-        let mut after: Vec<Block> = Vec::with_capacity(self.groups.len());
+        let mut after: Vec<Sums> = Vec::with_capacity(self.groups.len());
         for group in self.groups.iter().rev() {
             let mut sum = group.clone();
             after.last().into_iter().for_each(|rest| sum.append(rest));

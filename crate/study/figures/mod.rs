@@ -5,7 +5,10 @@
 
 mod caption;
 pub mod claim;
+pub mod experiment;
+mod extreme;
 mod jackknife;
+mod localization;
 pub mod plan;
 pub mod report;
 mod tracking;
@@ -17,10 +20,9 @@ use alloc::vec::Vec;
 use serde::Serialize;
 
 use self::claim::Claim;
+use self::experiment::{Experiment, Study};
 use self::report::Panel;
-use super::report::StudyReport;
 use crate::error::{Error, Result};
-use crate::model::scenario::Scenario;
 
 /// A figure of a paper.
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -41,15 +43,15 @@ pub struct Figure {
     /// What is simulated, each with a name.
     #[serde(skip)]
     #[cfg_attr(feature = "typescript", ts(skip))]
-    scenarios: fn() -> Vec<(&'static str, Scenario)>,
+    experiments: fn() -> Vec<(&'static str, Experiment)>,
     /// What is drawn of it.
     #[serde(skip)]
     #[cfg_attr(feature = "typescript", ts(skip))]
-    panels: fn(&[StudyReport]) -> Vec<Panel>,
+    panels: fn(&[Study]) -> Vec<Panel>,
     /// What is claimed about it.
     #[serde(skip)]
     #[cfg_attr(feature = "typescript", ts(skip))]
-    claims: fn(&[StudyReport]) -> Vec<Claim>,
+    claims: fn(&[Study]) -> Vec<Claim>,
 }
 
 /// One of the papers.
@@ -64,7 +66,18 @@ pub enum Paper {
 }
 
 /// All figures, in the order in which they are listed.
-pub static FIGURES: [Figure; 2] = [tracking::FIGURE_2, tracking::FIGURE_3];
+pub static FIGURES: [Figure; 10] = [
+    tracking::FIGURE_2,
+    tracking::FIGURE_3,
+    localization::FIGURE_2,
+    localization::FIGURE_3,
+    localization::FIGURE_4,
+    localization::FIGURE_5,
+    localization::FIGURE_6,
+    localization::FIGURE_7,
+    localization::FIGURE_8,
+    localization::FIGURE_9,
+];
 
 /// The seed that a figure has where none is asked for.
 pub const SEED: u64 = 1;

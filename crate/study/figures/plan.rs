@@ -7,14 +7,11 @@ use alloc::vec::Vec;
 use super::Figure;
 use super::caption::caption;
 use super::claim::Claim;
+use super::experiment::{Experiment, Study, Sums};
 use super::jackknife::{Groups, jackknifed};
 use super::report::{FigureReport, NamedScenario};
 use crate::error::{Error, Result};
 use crate::model::document::VERSION;
-use crate::model::scenario::Scenario;
-use crate::study::block::Block;
-use crate::study::monte_carlo::MonteCarlo;
-use crate::study::report::StudyReport;
 
 /// A number of trials of every scenario of a figure.
 ///
@@ -25,7 +22,7 @@ use crate::study::report::StudyReport;
 /// for job in 0..plan.jobs() {
 ///     sum.merge(&plan.job(job)?)?;
 /// }
-/// let report = plan.report(&sum);
+/// let report = plan.report(&sum)?;
 /// assert_eq!((report.trials, report.command.as_str()), (20, "rangelab figure tracking-2 --trials 20 --seed 1"));
 /// # Ok::<(), rangelab::Error>(())
 /// ```
@@ -34,21 +31,23 @@ pub struct FigurePlan {
     figure: &'static Figure,
     trials: usize,
     seed: u64,
-    scenarios: Vec<Scenario>,
+    blocks: usize,
+    names: Vec<&'static str>,
+    experiments: Vec<Experiment>,
 }
 
 /// The sums of one job.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FigureBlock {
     job: usize,
-    block: Block,
+    sums: Sums,
 }
 
 /// The sums of the jobs joined so far.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FigureSum {
     jobs: usize,
-    scenarios: Vec<Groups>,
+    experiments: Vec<Groups>,
 }
 
 /// What a row of numbers begins with: figure, trials, seed, job.
@@ -60,39 +59,42 @@ impl FigurePlan {
     /// # Errors
     /// Where the number of trials is 0 or above [`crate::study::monte_carlo::MAX_TRIALS`], or the seed above 2^53 - 1.
     pub fn new(figure: &'static Figure, trials: usize, seed: u64) -> Result<Self> {
-        let seeded = |(_, scenario): (_, Scenario)| Scenario { seed, ..scenario };
-        let scenarios: Vec<Scenario> = (figure.scenarios)().into_iter().map(seeded).collect();
-        scenarios.iter().try_for_each(|scenario| MonteCarlo::new(scenario, trials).map(drop))?;
-        Ok(Self { figure, trials, seed, scenarios })
+        let (names, experiments): (Vec<_>, Vec<_>) = (figure.experiments)().into_iter().unzip();
+        let experiments: Vec<Experiment> = experiments.into_iter().map(|each| each.with_seed(seed)).collect();
+        let mut blocks = 0;
+        for experiment in &experiments {
+            blocks = experiment.blocks(trials)?;
+        }
+        Ok(Self { figure, trials, seed, blocks, names, experiments })
     }
 
     /// How many jobs there are; each takes about as long.
     pub fn jobs(&self) -> usize {
-        self.scenarios.len() * self.study(0).blocks()
+        self.experiments.len() * self.blocks
     }
 
     /// The sum of no jobs, to which they are joined in their order.
     pub fn start(&self) -> FigureSum {
-        let groups = |scenario| Groups::new(Block::new(scenario, 0), self.study(0).blocks());
-        FigureSum { jobs: 0, scenarios: self.scenarios.iter().map(groups).collect() }
+        let groups = |experiment: &Experiment| Groups::new(experiment.start(), self.blocks);
+        FigureSum { jobs: 0, experiments: self.experiments.iter().map(groups).collect() }
     }
 
-    /// Runs job `index`, from 0. The scenarios take turns, so that all curves grow alike.
+    /// Runs job `index`, from 0. The experiments take turns, so that all curves grow alike.
     ///
     /// # Errors
     /// [`Error::Size`] beyond the last; when a trial leaves double precision.
     pub fn job(&self, index: usize) -> Result<FigureBlock> {
         self.check(index)?;
-        let scenarios = self.scenarios.len();
-        let block = self.study(index % scenarios).block(index / scenarios)?;
-        Ok(FigureBlock { job: index, block })
+        let count = self.experiments.len();
+        let sums = self.experiments[index % count].block(self.trials, index / count)?;
+        Ok(FigureBlock { job: index, sums })
     }
 
     /// A job as a row of numbers, from which it comes back as the same bits.
     #[allow(clippy::cast_precision_loss, reason = "a seed is below 2^53")]
     pub fn to_numbers(&self, block: &FigureBlock) -> Vec<f64> {
         let header = [self.figure.index() as f64, self.trials as f64, self.seed as f64, block.job as f64];
-        header.into_iter().chain(block.block.to_numbers()).collect()
+        header.into_iter().chain(block.sums.to_numbers()).collect()
     }
 
     /// The job of [`FigurePlan::to_numbers`].
@@ -101,9 +103,9 @@ impl FigurePlan {
     /// [`Error::Size`] or [`Error::Number`] where it is of another figure, number of trials or seed.
     #[allow(clippy::cast_precision_loss, reason = "a seed is below 2^53")]
     pub fn from_numbers(&self, numbers: &[f64]) -> Result<FigureBlock> {
-        let (found, expected) = (numbers.len(), HEADER + Block::length(&self.scenarios[0]));
         let Some((&[figure, trials, seed, job], rest)) = numbers.split_first_chunk::<HEADER>() else {
-            return Err(Error::Size { what: "numbers in a job", found, expected });
+            let (what, found) = ("numbers at the start of a job", numbers.len());
+            return Err(Error::Size { what, found, expected: HEADER });
         };
         let same =
             [(figure, self.figure.index() as f64), (trials, self.trials as f64), (seed, self.seed as f64)];
@@ -118,44 +120,48 @@ impl FigurePlan {
                 limit: "one of the figure's",
             });
         };
-        let block = Block::from_numbers(&self.scenarios[job % self.scenarios.len()], rest)?;
-        Ok(FigureBlock { job, block })
+        let sums = self.experiments[job % self.experiments.len()].from_numbers(rest)?;
+        Ok(FigureBlock { job, sums })
     }
 
-    /// What was found in each scenario by the jobs joined so far.
-    pub fn studies(&self, sum: &FigureSum) -> Vec<StudyReport> {
-        let studies = sum.scenarios.iter().enumerate();
-        studies.map(|(i, groups)| self.study(i).report(&groups.total())).collect()
+    /// What was found in each experiment by the jobs joined so far.
+    ///
+    /// # Errors
+    /// None for a sum that [`FigurePlan::start`] began.
+    pub fn studies(&self, sum: &FigureSum) -> Result<Vec<Study>> {
+        self.studies_of(sum.experiments.iter().map(Groups::total))
     }
 
     /// The figure of the jobs joined so far. The standard errors of its claims are by the jackknife, so that what two
     /// estimators have in common in a trial cancels in their ratio.
-    pub fn report(&self, sum: &FigureSum) -> FigureReport {
-        let studies = self.studies(sum);
-        let without: Vec<Vec<Block>> = sum.scenarios.iter().map(Groups::without_each).collect();
+    ///
+    /// # Errors
+    /// None for a sum that [`FigurePlan::start`] began.
+    pub fn report(&self, sum: &FigureSum) -> Result<FigureReport> {
+        let studies = self.studies(sum)?;
+        let without: Vec<Vec<Sums>> = sum.experiments.iter().map(Groups::without_each).collect();
         let groups = without.iter().map(Vec::len).min().unwrap_or(0);
         let claims_without = (0..groups).map(|group| {
-            let each = without.iter().enumerate();
-            let studies: Vec<StudyReport> =
-                each.map(|(i, blocks)| self.study(i).report(&blocks[group])).collect();
-            (self.figure.claims)(&studies)
+            let studies = self.studies_of(without.iter().map(|sums| sums[group].clone()))?;
+            Ok((self.figure.claims)(&studies))
         });
-        let claims = jackknifed((self.figure.claims)(&studies), &claims_without.collect::<Vec<_>>());
-        self.with_claims(&studies, claims)
+        let claims = jackknifed((self.figure.claims)(&studies), &claims_without.collect::<Result<Vec<_>>>()?);
+        Ok(self.with_claims(&studies, claims))
     }
 
     /// The figure of studies of its scenarios, each of which knows nothing of the others' trials: the standard error of a
     /// ratio is that of two independent numbers.
-    pub fn report_of(&self, studies: &[StudyReport]) -> FigureReport {
+    pub fn report_of(&self, studies: &[Study]) -> FigureReport {
         self.with_claims(studies, (self.figure.claims)(studies))
     }
 
-    fn with_claims(&self, studies: &[StudyReport], claims: Vec<Claim>) -> FigureReport {
+    fn with_claims(&self, studies: &[Study], claims: Vec<Claim>) -> FigureReport {
         let Figure { name, title, statement, .. } = self.figure;
-        let trials = studies.iter().map(|study| study.trials).min().unwrap_or(0);
-        let names = (self.figure.scenarios)().into_iter().map(|(name, _)| name.to_string());
-        let named =
-            names.zip(self.scenarios.clone()).map(|(name, scenario)| NamedScenario { name, scenario });
+        let trials = studies.iter().map(Study::trials).min().unwrap_or(0);
+        let named = self.names.iter().zip(&self.experiments).map(|(name, experiment)| NamedScenario {
+            name: (*name).to_string(),
+            scenario: experiment.scenario().clone(),
+        });
         FigureReport {
             version: VERSION,
             name: (*name).to_string(),
@@ -172,8 +178,9 @@ impl FigurePlan {
         }
     }
 
-    fn study(&self, scenario: usize) -> MonteCarlo<'_> {
-        MonteCarlo::new(&self.scenarios[scenario], self.trials).expect("checked when the plan was made")
+    fn studies_of(&self, sums: impl Iterator<Item = Sums>) -> Result<Vec<Study>> {
+        let each = self.experiments.iter().zip(sums);
+        each.filter_map(|(experiment, sums)| experiment.report(self.trials, &sums).transpose()).collect()
     }
 
     fn check(&self, index: usize) -> Result<()> {
@@ -200,8 +207,8 @@ impl FigureSum {
             let what = "jobs before the one that is joined";
             return Err(Error::Size { what, found: next.job, expected: self.jobs });
         }
-        let scenarios = self.scenarios.len();
-        self.scenarios[next.job % scenarios].merge(&next.block)?;
+        let count = self.experiments.len();
+        self.experiments[next.job % count].merge(&next.sums)?;
         self.jobs += 1;
         Ok(())
     }

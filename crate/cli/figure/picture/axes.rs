@@ -1,6 +1,6 @@
 //! One panel: its frame, its ticks with numbers, and its curves.
 
-use rangelab::study::figures::report::{Axis, AxisScale, Curve, Panel, Point};
+use rangelab::study::figures::report::{Axis, AxisScale, Curve, CurveKind, Panel, Point};
 
 use super::drawing::{Group, Place, Shape, Side};
 use super::looks::{FRAME, GRID, INK, Look, SOFT};
@@ -27,9 +27,19 @@ const TICK: f64 = 5.0;
 pub fn draw(panel: &Panel, frame: Frame) -> Vec<Group> {
     let ranges = Ranges::of(panel);
     let mut groups = vec![ground(panel, frame, &ranges)];
-    let curves = panel.curves.iter();
-    groups.extend(curves.enumerate().map(|(index, one)| curve(one, index, frame, &ranges)));
+    for (index, one) in panel.curves.iter().enumerate() {
+        let alone = !panel.curves[..index].iter().any(|other| coincide(one, other));
+        let banded = one.kind == CurveKind::Estimator && alone;
+        groups.push(curve(one, index, banded, frame, &ranges));
+    }
     groups
+}
+
+/// Whether two curves are one line to the eye: they share a band, which would else grow dark.
+fn coincide(one: &Curve, other: &Curve) -> bool {
+    let same =
+        |(a, b): (&Point, &Point)| a.x == b.x && (a.y.value - b.y.value).abs() <= 1e-3 * b.y.value.abs();
+    one.points.len() == other.points.len() && one.points.iter().zip(&other.points).all(same)
 }
 
 /// What the two axes hold.
@@ -103,10 +113,15 @@ fn ground(panel: &Panel, frame: Frame, ranges: &Ranges) -> Group {
         group.line(vec![[x, top], [x, bottom + TICK]], GRID, 1.0);
         group.text([x, bottom + TICK + 11.0], short(tick), SOFT, Side::Middle);
     }
-    for tick in ranges.y.ticks() {
+    let mut last = top - LINE as f64;
+    for tick in ranges.y.ticks().into_iter().rev() {
         let [_, y] = ranges.place(frame, ranges.x.low, tick);
         group.line(vec![[left - TICK, y], [right, y]], GRID, 1.0);
-        group.text([left - TICK - 4.0, y], short(tick), SOFT, Side::End);
+        // Where ticks are close, a number would hide the one above.
+        if y - last >= LINE as f64 {
+            group.text([left - TICK - 4.0, y], short(tick), SOFT, Side::End);
+            last = y;
+        }
     }
     let corners = [[left, top], [right, top], [right, bottom], [left, bottom], [left, top]];
     group.line(corners.to_vec(), FRAME, 1.0);
@@ -118,7 +133,7 @@ fn ground(panel: &Panel, frame: Frame, ranges: &Ranges) -> Group {
     group
 }
 
-fn curve(curve: &Curve, index: usize, frame: Frame, ranges: &Ranges) -> Group {
+fn curve(curve: &Curve, index: usize, banded: bool, frame: Frame, ranges: &Ranges) -> Group {
     let Look { colour, mark, dash } = Look::of(curve);
     let mut group = Group::new(&curve.label);
     let log = ranges.y.scale == AxisScale::Log;
@@ -128,7 +143,9 @@ fn curve(curve: &Curve, index: usize, frame: Frame, ranges: &Ranges) -> Group {
     };
     let upper = shown.iter().map(|point| edge(&point, 1.0));
     let band: Vec<Place> = upper.chain(shown.iter().rev().map(|point| edge(&point, -1.0))).collect();
-    group.shapes.push(Shape::Area { points: band, colour, opacity: 0.2 });
+    if banded {
+        group.shapes.push(Shape::Area { points: band, colour, opacity: 0.2 });
+    }
     let points: Vec<Place> = shown.iter().map(|point| ranges.place(frame, point.x, point.y.value)).collect();
     group.shapes.push(Shape::Line { points: points.clone(), colour, width: 1.75, dash });
     // Each curve begins its marks at another point: where curves meet, their marks take turns.

@@ -15,19 +15,36 @@ pub const WARNING: Colour = [0x8a, 0x32, 0x00];
 const BOUND: Colour = [0x4b, 0x53, 0x60];
 
 /// Name, colour and mark of an estimator.
-const ESTIMATORS: [(&str, Colour, Mark); 6] = [
+const ESTIMATORS: [(&str, Colour, Mark); 16] = [
     ("kf", [0xaa, 0x40, 0x00], Mark::Ring),
     ("ortho", [0xbd, 0x86, 0x00], Mark::Square),
     ("uc-kf", [0x02, 0x51, 0x92], Mark::Triangle),
     ("et-kf", [0xb4, 0x67, 0xa4], Mark::Diamond),
     ("eskf", [0x44, 0x8d, 0x65], Mark::Disc),
     ("eskf-raw", [0x57, 0x57, 0x57], Mark::Cross),
+    ("classical-ls", [0x57, 0x57, 0x57], Mark::Cross),
+    ("ls", [0xaa, 0x40, 0x00], Mark::Ring),
+    ("suc-ls", [0xbd, 0x86, 0x00], Mark::Square),
+    ("suc-tls", [0xbd, 0x86, 0x00], Mark::Square),
+    ("suc-ls-weighted", [0xbd, 0x86, 0x00], Mark::Disc),
+    ("ouc-ls", [0x02, 0x51, 0x92], Mark::Triangle),
+    ("ouc-tls-printed", [0xb4, 0x67, 0xa4], Mark::Diamond),
+    ("ouc-tls", [0x44, 0x8d, 0x65], Mark::Disc),
+    ("gauss-newton", [0x57, 0x57, 0x57], Mark::Square),
+    ("maximum-likelihood", [0x57, 0x57, 0x57], Mark::Disc),
 ];
 /// What else is dashed, and bounds without a dash of their own.
 const DASH: &[f32] = &[7.0, 4.0];
 const DOTS: &[f32] = &[2.0, 4.0];
-const DASHES: [(&str, &[f32]); 3] =
-    [("posterior_crb", DASH), ("posterior_crb_raw", &[10.0, 3.0, 2.0, 3.0]), ("linear_posterior_crb", DOTS)];
+const DASH_DOT: &[f32] = &[10.0, 3.0, 2.0, 3.0];
+const DASHES: [(&str, &[f32]); 6] = [
+    ("posterior_crb", DASH),
+    ("posterior_crb_raw", DASH_DOT),
+    ("linear_posterior_crb", DOTS),
+    ("uc_crb", DASH),
+    ("classical_crb", DASH_DOT),
+    ("crb", DOTS),
+];
 
 /// Half of the height of a mark.
 const RADIUS: f64 = 4.0;

@@ -6,11 +6,13 @@ use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use super::reading::{Reading, least, most};
+use super::reading::Reading;
 use super::scenarios::{FIXED, INFORMATION_METRIC, OFF_CENTRE, OVER_O, PAPER, REDRAWN};
 use crate::model::estimator_settings::EstimatorName::{self, Eskf, EskfRaw, EtKf, Kf, Ortho, UcKf};
 use crate::study::figures::claim::Source::{self, Beyond};
 use crate::study::figures::claim::{Claim, Target};
+use crate::study::figures::experiment::Study;
+use crate::study::figures::extreme::{least, most};
 use crate::study::moments::Estimate;
 use crate::study::report::StudyReport;
 use crate::study::tally::Summary;
@@ -25,18 +27,19 @@ const ORIENTATION: fn(&Summary) -> Estimate = |s| s.rmse_orientation;
 const POSITION: fn(&Summary) -> Estimate = |s| s.rmse_position;
 const ANGLE: fn(&Summary) -> Estimate = |s| s.rms_angle;
 
-pub(super) fn figure_2(studies: &[StudyReport]) -> Vec<Claim> {
-    let anchors = [(FIXED, "fixed"), (REDRAWN, "redrawn")].map(|(i, name)| (Reading(&studies[i]), name));
+pub(super) fn figure_2(studies: &[Study]) -> Vec<Claim> {
+    let studies: Vec<&StudyReport> = studies.iter().filter_map(Study::track).collect();
+    let anchors = [(FIXED, "fixed"), (REDRAWN, "redrawn")].map(|(i, name)| (Reading(studies[i]), name));
     let mut claims = Vec::new();
     for (study, name) in &anchors {
         claims.extend(of_the_paper(study, name));
     }
-    claims.push(lower_orientation(&Reading(&studies[OVER_O]), UcKf, "redrawn, over O(3)"));
-    claims.push(similar_positions(&Reading(&studies[OFF_CENTRE]), "fixed, body frame at the base"));
+    claims.push(lower_orientation(&Reading(studies[OVER_O]), UcKf, "redrawn, over O(3)"));
+    claims.push(similar_positions(&Reading(studies[OFF_CENTRE]), "fixed, body frame at the base"));
     let fixed = &anchors[0].0;
     claims.extend(at_the_bound(fixed));
     claims.extend(about_consistency(fixed));
-    claims.extend(about_the_trigger(fixed, studies));
+    claims.extend(about_the_trigger(fixed, &studies));
     let raw = fixed.at(EskfRaw, 0, POSITION).zip(fixed.at(Eskf, 0, POSITION));
     let found = raw.and_then(|(raw, projected)| raw.over(projected));
     claims.push(beyond(
@@ -47,10 +50,11 @@ pub(super) fn figure_2(studies: &[StudyReport]) -> Vec<Claim> {
     claims
 }
 
-pub(super) fn figure_3(studies: &[StudyReport]) -> Vec<Claim> {
+pub(super) fn figure_3(studies: &[Study]) -> Vec<Claim> {
+    let studies: Vec<&StudyReport> = studies.iter().filter_map(Study::track).collect();
     let mut claims = Vec::new();
     for (index, anchors) in [(FIXED, "fixed"), (REDRAWN, "redrawn")] {
-        let study = Reading(&studies[index]);
+        let study = Reading(studies[index]);
         for name in [Ortho, EtKf, UcKf] {
             let over_kf =
                 |read: fn(&Summary) -> Estimate| most(study.steps(), |k| study.versus(name, Kf, k, read));
@@ -61,7 +65,7 @@ pub(super) fn figure_3(studies: &[StudyReport]) -> Vec<Claim> {
             claims.push(paper(at_worst(&what("rotation angle"), k), found, A_TENTH_BELOW));
         }
     }
-    let fixed = Reading(&studies[FIXED]);
+    let fixed = Reading(studies[FIXED]);
     for name in [UcKf, Eskf] {
         let (k, found) = most(fixed.steps(), |k| fixed.over_bound(name, k, ANGLE, |b| b.angle));
         let what = format!("fixed: rotation angle of {} over the posterior bound", name.label());
@@ -158,10 +162,10 @@ fn about_consistency(study: &Reading<'_>) -> Vec<Claim> {
 }
 
 /// What the threshold 0.15 does, and what a better metric would.
-fn about_the_trigger(fixed: &Reading<'_>, studies: &[StudyReport]) -> Vec<Claim> {
+fn about_the_trigger(fixed: &Reading<'_>, studies: &[&StudyReport]) -> Vec<Claim> {
     let events = |k| fixed.at(EtKf, k, |s| s.event_rate);
-    let frobenius = Reading(&studies[REDRAWN]).at(EtKf, 0, ORIENTATION);
-    let information = Reading(&studies[INFORMATION_METRIC]).at(EtKf, 0, ORIENTATION);
+    let frobenius = Reading(studies[REDRAWN]).at(EtKf, 0, ORIENTATION);
+    let information = Reading(studies[INFORMATION_METRIC]).at(EtKf, 0, ORIENTATION);
     let found = information.zip(frobenius).and_then(|(information, frobenius)| information.over(frobenius));
     [
         beyond("fixed: share of trials that ET-KF projects, step 0", events(0), Target::between(0.5, 0.7)),

@@ -18,7 +18,7 @@ pub(super) const FIGURE_2: Figure = Figure {
                 RMSE of Q; the RMSE of t is similar for all; ET-KF is worse than projecting at each step (KF-ortho); and the \
                 UC-KF overestimates its covariance.",
     trials: TRIALS,
-    scenarios: scenarios::figure_2,
+    experiments: scenarios::figure_2,
     panels: panels::figure_2,
     claims: claims::figure_2,
 };
@@ -30,7 +30,7 @@ pub(super) const FIGURE_3: Figure = Figure {
     title: "Mean angular error of the orientation",
     statement: "the constrained estimators have a lower mean angular error (MAE) than the unconstrained KF.",
     trials: TRIALS,
-    scenarios: scenarios::figure_3,
+    experiments: scenarios::figure_3,
     panels: panels::figure_3,
     claims: claims::figure_3,
 };

@@ -8,6 +8,7 @@ use super::scenarios::{FIXED, REDRAWN};
 use crate::bounds::BoundKind;
 use crate::math::float::degrees;
 use crate::model::estimator_settings::EstimatorName::{self, Eskf, EtKf, Kf, Ortho, UcKf};
+use crate::study::figures::experiment::Study;
 use crate::study::figures::report::{Axis, Curve, CurveKind, Panel, Point};
 use crate::study::moments::Estimate;
 use crate::study::report::{BoundSummary, StudyReport};
@@ -60,15 +61,16 @@ const ANGLE: Quantity = Quantity {
 
 const SHOWN: [EstimatorName; 5] = [Kf, Ortho, EtKf, UcKf, Eskf];
 
-pub(super) fn figure_2(studies: &[StudyReport]) -> Vec<Panel> {
+pub(super) fn figure_2(studies: &[Study]) -> Vec<Panel> {
     panels(studies, [ORIENTATION, POSITION])
 }
 
-pub(super) fn figure_3(studies: &[StudyReport]) -> Vec<Panel> {
+pub(super) fn figure_3(studies: &[Study]) -> Vec<Panel> {
     panels(studies, [PAPER_MAE, ANGLE])
 }
 
-fn panels(studies: &[StudyReport], quantities: [Quantity; 2]) -> Vec<Panel> {
+fn panels(studies: &[Study], quantities: [Quantity; 2]) -> Vec<Panel> {
+    let studies: Vec<&StudyReport> = studies.iter().filter_map(Study::track).collect();
     let anchors = [(FIXED, "fixed"), (REDRAWN, "redrawn")];
     let each = anchors.iter().flat_map(|anchors| quantities.iter().map(move |quantity| (anchors, quantity)));
     each.map(|((index, anchors), quantity)| Panel {
@@ -76,7 +78,7 @@ fn panels(studies: &[StudyReport], quantities: [Quantity; 2]) -> Vec<Panel> {
         title: format!("{}, anchors {anchors}", quantity.title),
         x: Axis::linear("step", ""),
         y: Axis::log(quantity.axis.0, quantity.axis.1),
-        curves: curves(&studies[*index], quantity),
+        curves: curves(studies[*index], quantity),
     })
     .collect()
 }

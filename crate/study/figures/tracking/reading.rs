@@ -64,19 +64,3 @@ impl Reading<'_> {
         bound.steps.get(k).filter(|step| step.trials > 0)
     }
 }
-
-/// The step with the largest figure, and the figure: none if it is missing at some step.
-pub(super) fn most(steps: usize, figure: impl Fn(usize) -> Option<Estimate>) -> (usize, Option<Estimate>) {
-    extreme(steps, figure, 1.0)
-}
-
-/// The step with the least figure.
-pub(super) fn least(steps: usize, figure: impl Fn(usize) -> Option<Estimate>) -> (usize, Option<Estimate>) {
-    extreme(steps, figure, -1.0)
-}
-
-fn extreme(steps: usize, figure: impl Fn(usize) -> Option<Estimate>, sign: f64) -> (usize, Option<Estimate>) {
-    let height = |found: Option<Estimate>| found.map_or(f64::INFINITY, |found| sign * found.value);
-    let found = (0..steps).map(|k| (k, figure(k)));
-    found.max_by(|(_, a), (_, b)| height(*a).total_cmp(&height(*b))).unwrap_or((0, None))
-}
