@@ -76,7 +76,7 @@ impl Experiment {
     }
 
     /// The block of [`Sums::to_numbers`].
-    pub(super) fn from_numbers(&self, numbers: &[f64]) -> Result<Sums> {
+    pub(super) fn read(&self, numbers: &[f64]) -> Result<Sums> {
         Ok(match self {
             Self::Track(scenario) => Sums::Track(Block::from_numbers(scenario, numbers)?),
             Self::Sweep(scenario) => {

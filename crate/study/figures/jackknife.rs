@@ -23,21 +23,21 @@ pub(super) struct Groups {
     start: Sums,
     blocks_per_group: usize,
     blocks: usize,
-    groups: Vec<Sums>,
+    sums: Vec<Sums>,
 }
 
 impl Groups {
     /// No trials yet of a study of so many blocks.
     pub(super) fn new(start: Sums, blocks: usize) -> Self {
-        Self { start, blocks_per_group: blocks.div_ceil(GROUPS).max(1), blocks: 0, groups: Vec::new() }
+        Self { start, blocks_per_group: blocks.div_ceil(GROUPS).max(1), blocks: 0, sums: Vec::new() }
     }
 
     /// Joins the block that comes next.
     pub(super) fn merge(&mut self, next: &Sums) -> Result<()> {
         let opens = self.blocks.is_multiple_of(self.blocks_per_group);
-        match self.groups.last_mut().filter(|_| !opens) {
+        match self.sums.last_mut().filter(|_| !opens) {
             Some(group) => group.merge(next)?,
-            None => self.groups.push(next.clone()),
+            None => self.sums.push(next.clone()),
         }
         self.blocks += 1;
         Ok(())
@@ -45,7 +45,7 @@ impl Groups {
 
     /// All trials.
     pub(super) fn total(&self) -> Sums {
-        self.groups.iter().fold(self.start.clone(), |mut total, group| {
+        self.sums.iter().fold(self.start.clone(), |mut total, group| {
             total.append(group);
             total
         })
@@ -53,18 +53,18 @@ impl Groups {
 
     /// For each group, all trials but its own; nothing where there are few groups.
     pub(super) fn without_each(&self) -> Vec<Sums> {
-        if self.groups.len() < LEAST_GROUPS {
+        if self.sums.len() < LEAST_GROUPS {
             return Vec::new();
         }
-        let mut after: Vec<Sums> = Vec::with_capacity(self.groups.len());
-        for group in self.groups.iter().rev() {
+        let mut after: Vec<Sums> = Vec::with_capacity(self.sums.len());
+        for group in self.sums.iter().rev() {
             let mut sum = group.clone();
             after.last().into_iter().for_each(|rest| sum.append(rest));
             after.push(sum);
         }
         after.reverse();
         let mut before = self.start.clone();
-        let without = self.groups.iter().enumerate().map(|(i, group)| {
+        let without = self.sums.iter().enumerate().map(|(i, group)| {
             let mut sum = before.clone();
             after.get(i + 1).into_iter().for_each(|rest| sum.append(rest));
             before.append(group);

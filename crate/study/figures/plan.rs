@@ -109,18 +109,18 @@ impl FigurePlan {
         };
         let same =
             [(figure, self.figure.index() as f64), (trials, self.trials as f64), (seed, self.seed as f64)];
-        if let Some((value, _)) = same.iter().find(|(found, own)| found != own) {
+        if let Some((value, _)) = same.iter().find(|(found, own)| found.to_bits() != own.to_bits()) {
             let limit = "that of the figure it is joined to";
             return Err(Error::Number { what: "figure, trials or seed of a job", value: *value, limit });
         }
-        let Some(job) = (0..self.jobs()).find(|index| *index as f64 == job) else {
+        let Some(job) = (0..self.jobs()).find(|index| (*index as f64).to_bits() == job.to_bits()) else {
             return Err(Error::Number {
                 what: "the number of a job",
                 value: job,
                 limit: "one of the figure's",
             });
         };
-        let sums = self.experiments[job % self.experiments.len()].from_numbers(rest)?;
+        let sums = self.experiments[job % self.experiments.len()].read(rest)?;
         Ok(FigureBlock { job, sums })
     }
 

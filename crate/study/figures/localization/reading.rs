@@ -20,20 +20,20 @@ pub(super) struct Reading<'a>(pub(super) &'a LocalizationReport);
 
 impl Reading<'_> {
     /// A figure of an estimator.
-    pub(super) fn at(&self, name: LocalizerName, zeta_db: usize, read: Read) -> Option<Estimate> {
+    pub(super) fn at(self, name: LocalizerName, zeta_db: usize, read: Read) -> Option<Estimate> {
         let estimator = self.0.estimators.iter().find(|estimator| estimator.name == name)?;
         estimator.points.get(zeta_db / STEP_DB).filter(|point| point.trials > 0).and_then(read)
     }
 
     /// A figure of a bound.
-    pub(super) fn bound(&self, kind: SnapshotBound, zeta_db: usize, read: ReadBound) -> Option<Estimate> {
+    pub(super) fn bound(self, kind: SnapshotBound, zeta_db: usize, read: ReadBound) -> Option<Estimate> {
         let bound = self.0.bounds.iter().find(|bound| bound.name == kind.name())?;
         bound.points.get(zeta_db / STEP_DB).and_then(read)
     }
 
     /// Ratio of two estimators.
     pub(super) fn versus(
-        &self,
+        self,
         a: LocalizerName,
         b: LocalizerName,
         zeta_db: usize,
@@ -41,28 +41,26 @@ impl Reading<'_> {
     ) -> Option<Estimate> {
         self.at(a, zeta_db, read)?.over(self.at(b, zeta_db, read)?)
     }
+}
 
-    /// Where a figure is largest among the noises from one to another, and the figure.
-    pub(super) fn most(
-        &self,
-        from_db: usize,
-        to_db: usize,
-        figure: impl Fn(usize) -> Option<Estimate>,
-    ) -> (usize, Option<Estimate>) {
-        let (index, found) = extreme::most(points(from_db, to_db), |i| figure(from_db + STEP_DB * i));
-        (from_db + STEP_DB * index, found)
-    }
+/// Where a figure is largest among the noises from one to another, and the figure.
+pub(super) fn most(
+    from_db: usize,
+    to_db: usize,
+    figure: impl Fn(usize) -> Option<Estimate>,
+) -> (usize, Option<Estimate>) {
+    let (index, found) = extreme::most(points(from_db, to_db), |i| figure(from_db + STEP_DB * i));
+    (from_db + STEP_DB * index, found)
+}
 
-    /// Where it is least.
-    pub(super) fn least(
-        &self,
-        from_db: usize,
-        to_db: usize,
-        figure: impl Fn(usize) -> Option<Estimate>,
-    ) -> (usize, Option<Estimate>) {
-        let (index, found) = extreme::least(points(from_db, to_db), |i| figure(from_db + STEP_DB * i));
-        (from_db + STEP_DB * index, found)
-    }
+/// Where it is least.
+pub(super) fn least(
+    from_db: usize,
+    to_db: usize,
+    figure: impl Fn(usize) -> Option<Estimate>,
+) -> (usize, Option<Estimate>) {
+    let (index, found) = extreme::least(points(from_db, to_db), |i| figure(from_db + STEP_DB * i));
+    (from_db + STEP_DB * index, found)
 }
 
 fn points(from_db: usize, to_db: usize) -> usize {

@@ -31,12 +31,12 @@ pub(super) fn figure_2(studies: &[Study]) -> Vec<Claim> {
     let studies: Vec<&StudyReport> = studies.iter().filter_map(Study::track).collect();
     let anchors = [(FIXED, "fixed"), (REDRAWN, "redrawn")].map(|(i, name)| (Reading(studies[i]), name));
     let mut claims = Vec::new();
-    for (study, name) in &anchors {
+    for (study, name) in anchors {
         claims.extend(of_the_paper(study, name));
     }
-    claims.push(lower_orientation(&Reading(studies[OVER_O]), UcKf, "redrawn, over O(3)"));
-    claims.push(similar_positions(&Reading(studies[OFF_CENTRE]), "fixed, body frame at the base"));
-    let fixed = &anchors[0].0;
+    claims.push(lower_orientation(Reading(studies[OVER_O]), UcKf, "redrawn, over O(3)"));
+    claims.push(similar_positions(Reading(studies[OFF_CENTRE]), "fixed, body frame at the base"));
+    let fixed = anchors[0].0;
     claims.extend(at_the_bound(fixed));
     claims.extend(about_consistency(fixed));
     claims.extend(about_the_trigger(fixed, &studies));
@@ -75,7 +75,7 @@ pub(super) fn figure_3(studies: &[Study]) -> Vec<Claim> {
 }
 
 /// The paper's sentences, in one of the two drawn scenarios.
-fn of_the_paper(study: &Reading<'_>, anchors: &str) -> Vec<Claim> {
+fn of_the_paper(study: Reading<'_>, anchors: &str) -> Vec<Claim> {
     let mut claims = Vec::new();
     for k in [0, 4, 9, 19] {
         let claimed = study.at(Kf, k, |s| s.claimed_orientation);
@@ -103,12 +103,12 @@ fn of_the_paper(study: &Reading<'_>, anchors: &str) -> Vec<Claim> {
     claims
 }
 
-fn lower_orientation(study: &Reading<'_>, name: EstimatorName, anchors: &str) -> Claim {
+fn lower_orientation(study: Reading<'_>, name: EstimatorName, anchors: &str) -> Claim {
     let (k, found) = most(study.steps(), |k| study.versus(name, Kf, k, ORIENTATION));
     paper(at_worst(&format!("{anchors}: RMSE(Q) of {} over that of KF", name.label()), k), found, BELOW)
 }
 
-fn similar_positions(study: &Reading<'_>, anchors: &str) -> Claim {
+fn similar_positions(study: Reading<'_>, anchors: &str) -> Claim {
     let spread = |k| {
         let errors: Vec<Estimate> = PAPER.iter().filter_map(|name| study.at(*name, k, POSITION)).collect();
         let by_value = |a: &&Estimate, b: &&Estimate| a.value.total_cmp(&b.value);
@@ -119,7 +119,7 @@ fn similar_positions(study: &Reading<'_>, anchors: &str) -> Claim {
     paper(at_worst(&what, k), found, A_TENTH_ABOVE)
 }
 
-fn at_the_bound(study: &Reading<'_>) -> Vec<Claim> {
+fn at_the_bound(study: Reading<'_>) -> Vec<Claim> {
     let mut claims = Vec::new();
     for name in [UcKf, Eskf] {
         let orientation = most(study.steps(), |k| study.over_bound(name, k, ORIENTATION, |b| b.orientation));
@@ -132,7 +132,7 @@ fn at_the_bound(study: &Reading<'_>) -> Vec<Claim> {
     claims
 }
 
-fn about_consistency(study: &Reading<'_>) -> Vec<Claim> {
+fn about_consistency(study: Reading<'_>) -> Vec<Claim> {
     let nees = |k| study.at(Eskf, k, |s| s.nees);
     let (high, low) = (most(study.steps(), nees), least(study.steps(), nees));
     let linear = |k| study.at(Kf, k, |s| s.claimed_orientation)?.over(study.linear_bound(k)?.orientation);
@@ -162,7 +162,7 @@ fn about_consistency(study: &Reading<'_>) -> Vec<Claim> {
 }
 
 /// What the threshold 0.15 does, and what a better metric would.
-fn about_the_trigger(fixed: &Reading<'_>, studies: &[&StudyReport]) -> Vec<Claim> {
+fn about_the_trigger(fixed: Reading<'_>, studies: &[&StudyReport]) -> Vec<Claim> {
     let events = |k| fixed.at(EtKf, k, |s| s.event_rate);
     let frobenius = Reading(studies[REDRAWN]).at(EtKf, 0, ORIENTATION);
     let information = Reading(studies[INFORMATION_METRIC]).at(EtKf, 0, ORIENTATION);

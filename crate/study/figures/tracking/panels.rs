@@ -62,14 +62,14 @@ const ANGLE: Quantity = Quantity {
 const SHOWN: [EstimatorName; 5] = [Kf, Ortho, EtKf, UcKf, Eskf];
 
 pub(super) fn figure_2(studies: &[Study]) -> Vec<Panel> {
-    panels(studies, [ORIENTATION, POSITION])
+    panels(studies, &[ORIENTATION, POSITION])
 }
 
 pub(super) fn figure_3(studies: &[Study]) -> Vec<Panel> {
-    panels(studies, [PAPER_MAE, ANGLE])
+    panels(studies, &[PAPER_MAE, ANGLE])
 }
 
-fn panels(studies: &[Study], quantities: [Quantity; 2]) -> Vec<Panel> {
+fn panels(studies: &[Study], quantities: &[Quantity; 2]) -> Vec<Panel> {
     let studies: Vec<&StudyReport> = studies.iter().filter_map(Study::track).collect();
     let anchors = [(FIXED, "fixed"), (REDRAWN, "redrawn")];
     let each = anchors.iter().flat_map(|anchors| quantities.iter().map(move |quantity| (anchors, quantity)));

@@ -10,15 +10,15 @@ use crate::study::tally::Summary;
 #[derive(Clone, Copy)]
 pub(super) struct Reading<'a>(pub(super) &'a StudyReport);
 
-impl Reading<'_> {
+impl<'a> Reading<'a> {
     /// How many steps there are.
-    pub(super) fn steps(&self) -> usize {
+    pub(super) fn steps(self) -> usize {
         self.0.estimators.first().map_or(0, |estimator| estimator.steps.len())
     }
 
     /// A figure of an estimator at step `k`.
     pub(super) fn at(
-        &self,
+        self,
         name: EstimatorName,
         k: usize,
         read: fn(&Summary) -> Estimate,
@@ -29,7 +29,7 @@ impl Reading<'_> {
 
     /// Ratio of two estimators.
     pub(super) fn versus(
-        &self,
+        self,
         a: EstimatorName,
         b: EstimatorName,
         k: usize,
@@ -40,7 +40,7 @@ impl Reading<'_> {
 
     /// Ratio of an error to the posterior bound on rotations.
     pub(super) fn over_bound(
-        &self,
+        self,
         name: EstimatorName,
         k: usize,
         error: fn(&Summary) -> Estimate,
@@ -50,16 +50,16 @@ impl Reading<'_> {
     }
 
     /// The posterior bound on any matrix `Q`.
-    pub(super) fn linear_bound(&self, k: usize) -> Option<&BoundSummary> {
+    pub(super) fn linear_bound(self, k: usize) -> Option<&'a BoundSummary> {
         self.bound(BoundKind::LinearPosteriorCrb, k)
     }
 
     /// How much farther it is than the one on rotations.
-    pub(super) fn linear_over_intrinsic(&self, k: usize) -> Option<Estimate> {
+    pub(super) fn linear_over_intrinsic(self, k: usize) -> Option<Estimate> {
         self.linear_bound(k)?.orientation.over(self.bound(BoundKind::PosteriorCrb, k)?.orientation)
     }
 
-    fn bound(&self, kind: BoundKind, k: usize) -> Option<&BoundSummary> {
+    fn bound(self, kind: BoundKind, k: usize) -> Option<&'a BoundSummary> {
         let bound = self.0.bounds.iter().find(|bound| bound.name == kind.name())?;
         bound.steps.get(k).filter(|step| step.trials > 0)
     }
