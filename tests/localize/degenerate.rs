@@ -211,7 +211,7 @@ fn ranges_that_overflow_are_refused() {
         Weighting::Common,
     )
     .unwrap();
-    let ranges = Ranges::from_fn(5, 5, |_, _| Some(1e300)).unwrap();
+    let ranges = Ranges::from_fn(5, 5, |m, _| Some(1e300 * (1.0 + m as f64))).unwrap();
     let refused = Snapshot::new(&model, &ranges, &ranges).map(drop);
     assert!(matches!(refused, Err(Error::Number { .. })), "{refused:?}");
     let few = Ranges::from_fn(4, 5, |_, _| Some(1.0)).unwrap();

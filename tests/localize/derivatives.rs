@@ -2,7 +2,7 @@
 
 use nalgebra::SMatrix;
 use rangelab::math::newton::{Expansion, along_turn};
-use rangelab::math::quadratic::{Kronecker, Metric, distance};
+use rangelab::math::quadratic::{Kronecker, distance};
 use rangelab::math::rotation::{Rotation, rotation_angles};
 
 use crate::support::sampling::Sampler;
@@ -78,6 +78,5 @@ fn costs_along_a_turn_are_trigonometric<const D: usize>() {
                 grid().map(|x| x / std::f64::consts::TAU * limit).map(cost).fold(f64::INFINITY, f64::min);
             at_most("the least up to a limit", along.at(found) - best, 1e-12);
         }
-        let _ = metric.apply(&q);
     }
 }
