@@ -104,10 +104,7 @@ async function fault(lab: Lab): Promise<void> {
 }
 
 async function explore(lab: Lab): Promise<void> {
-  await lab.page
-    .getByRole("navigation", { name: "Labs" })
-    .getByRole("button", { name: "Explore" })
-    .click();
+  await lab.page.getByRole("navigation", { name: "Labs" }).getByRole("button", { name: "Explore" }).click();
   await expect(lab.page.getByRole("table", { name: "Bounds of one epoch" })).toBeVisible();
 }
 
