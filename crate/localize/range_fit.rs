@@ -65,10 +65,11 @@ impl<'a, const D: usize> RangeFit<'a, D> {
 
     fn weigh(&mut self, squared: impl Fn(&Pair) -> f64) {
         let floor = WEIGHT_FLOOR * self.pairs.iter().map(&squared).fold(0.0, f64::max);
+        let law = self.snapshot.model.noise().law();
         for pair in &mut self.pairs {
             let d = squared(pair).max(floor).max(f64::MIN_POSITIVE);
             // var y = var d/(4 r^2).
-            let variance = self.snapshot.model.noise().squared_range_variance(d) / (4.0 * d);
+            let variance = law.variance(d) / (4.0 * d);
             pair.weight = 1.0 / sqrt(variance);
         }
     }

@@ -53,7 +53,7 @@ pub(super) fn cube_rotations<const D: usize>() -> impl Iterator<Item = Rotation<
     signed.filter_map(|(columns, signs)| {
         let sign = |i: usize| if signs & (1 << i) == 0 { 1.0 } else { -1.0 };
         let full = SMatrix::<f64, 3, 3>::from_fn(|i, j| if columns[i] == j { sign(i) } else { 0.0 });
-        let inside = D == 3 || full[(2, 2)] == 1.0;
+        let inside = D == 3 || (columns[2] == 2 && signs & 4 == 0);
         let rotation = crate::math::rotation::determinant(&full) > 0.0;
         (inside && rotation).then(|| Rotation::from_matrix_unchecked(SMatrix::from_fn(|i, j| full[(i, j)])))
     })

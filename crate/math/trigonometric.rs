@@ -124,9 +124,9 @@ fn root_between(polynomial: &[f64; 5], low: f64, high: f64) -> Option<f64> {
     for _ in 0..MAX_HALVINGS {
         let (value, slope) = value_and_slope(polynomial, x);
         if (value < 0.0) == (at_low < 0.0) {
-            low = x
+            low = x;
         } else {
-            high = x
+            high = x;
         }
         let newton = x - value / slope;
         let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };

@@ -52,12 +52,12 @@ impl<const D: usize> RangeModel<D> {
         let longest = (0..weight_ranges.sensors()).flat_map(|n| weight_ranges.of_sensor(n));
         let floor = WEIGHT_FLOOR * longest.fold(0.0, |most: f64, &d| most.max(d));
         let common = self.weighting() == Weighting::Common;
+        let law = self.noise().law();
         equations.clear();
         for n in 0..ranges.sensors() {
             let weight = |m: usize| {
-                let squared =
-                    if common { self.first_range(weight_ranges, m) } else { weight_ranges.get(m, n) };
-                squared.map(|d| 1.0 / self.noise().squared_range_variance(d.max(floor)))
+                let squared = if common { first_range(weight_ranges, m) } else { weight_ranges.get(m, n) };
+                squared.map(|d| 1.0 / law.variance(d.max(floor)))
             };
             equations.push(self.equations_of(ranges.of_sensor(n), weight, form, &place(n)));
         }
@@ -71,11 +71,6 @@ impl<const D: usize> RangeModel<D> {
         }
         let complete = ranges.missing() == 0 && weight_ranges.missing() == 0;
         Ok(common && complete && form == RangeForm::Projected)
-    }
-
-    /// The squared range from an anchor to the first sensor that has one.
-    fn first_range(&self, ranges: &Ranges, m: usize) -> Option<f64> {
-        (0..ranges.sensors()).find_map(|n| ranges.get(m, n))
     }
 
     fn equations_of(
@@ -113,4 +108,9 @@ impl<const D: usize> RangeModel<D> {
         }
         SensorEquations { gram, vector, energy, offset, centre, ranges }
     }
+}
+
+/// The squared range from an anchor to the first sensor that has one.
+fn first_range(ranges: &Ranges, m: usize) -> Option<f64> {
+    (0..ranges.sensors()).find_map(|n| ranges.get(m, n))
 }

@@ -69,13 +69,15 @@ impl LocalizationBlock {
         let snapshot = Snapshot::new(model, &epoch.ranges, epoch.weight_ranges())?;
         for (&name, tallies) in settings.enabled.iter().zip(&mut self.estimators) {
             match localize(name, &snapshot, settings, mounting_sigma) {
-                Ok(estimate) => tallies[point].push(&SnapshotError::of(&estimate, &snapshot, truth)?),
+                Ok(estimate) => tallies[point].push(&SnapshotError::of(&estimate, &snapshot, truth)),
                 Err(_) => tallies[point].push_failure(),
             }
         }
         let found = figures(&model.per_pair(), truth, &epoch.ranges, mounting_sigma)?;
         for (tallies, figures) in self.bounds.iter_mut().zip(&found) {
-            figures.iter().for_each(|figures| tallies[point].push(figures));
+            if let Some(figures) = figures {
+                tallies[point].push(figures);
+            }
         }
         Ok(())
     }

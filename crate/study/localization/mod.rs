@@ -3,6 +3,7 @@
 pub mod block;
 mod bounds;
 pub mod report;
+pub mod run;
 pub mod tally;
 pub mod trial;
 
@@ -91,13 +92,22 @@ impl<'a> LocalizationStudy<'a> {
         Ok(self.report(&sum))
     }
 
+    /// What a noise means in metres.
+    fn point(&self, noise: RangeNoise) -> SnapshotPoint {
+        let range_error = with_dimension!(self.scenario.dimension, D => {
+            let setup = self.scenario.setup::<D>();
+            setup.and_then(|setup| Ok(noise.range_error(&setup.model.exact_ranges(&setup.start.into())?)))
+        });
+        SnapshotPoint { noise, range_error: range_error.unwrap_or_default() }
+    }
+
     /// The figures of the blocks joined so far.
     pub fn report(&self, done: &LocalizationBlock) -> LocalizationReport {
         let names = self.scenario.localize.enabled.iter().enumerate();
         LocalizationReport {
             name: self.scenario.name.clone(),
             trials: done.trials(),
-            points: self.points.iter().map(|&noise| SnapshotPoint::new(noise)).collect(),
+            points: self.points.iter().map(|&noise| self.point(noise)).collect(),
             estimators: names
                 .map(|(index, &name)| SnapshotReport {
                     name,

@@ -31,12 +31,8 @@ pub struct LocalizationReport {
 pub struct SnapshotPoint {
     /// The noise.
     pub noise: RangeNoise,
-}
-
-impl SnapshotPoint {
-    pub(super) fn new(noise: RangeNoise) -> Self {
-        Self { noise }
-    }
+    /// What it means for a range, root mean square of the standard deviations over all pairs with the anchors as given, m.
+    pub range_error: f64,
 }
 
 /// One estimator over the sweep.

@@ -149,7 +149,9 @@ impl SnapshotBoundTally {
     pub fn push(&mut self, figures: &BoundFigures) {
         let values = [figures.orientation, figures.angle, figures.position, Some(figures.sensors)];
         for (moments, value) in self.0.iter_mut().zip(values) {
-            value.into_iter().for_each(|value| moments.push(value));
+            if let Some(value) = value {
+                moments.push(value);
+            }
         }
     }
 

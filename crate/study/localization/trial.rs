@@ -3,7 +3,6 @@
 use nalgebra::SVector;
 
 use super::super::error::PoseError;
-use crate::error::Result;
 use crate::localize::{Estimate, Optimum, Snapshot};
 use crate::math::pose::Pose;
 
@@ -24,22 +23,19 @@ pub struct SnapshotError<const D: usize> {
 
 impl<const D: usize> SnapshotError<D> {
     /// Measures an estimate of a snapshot.
-    ///
-    /// # Errors
-    /// None today; a place for estimates without a position.
-    pub fn of(estimate: &Estimate<D>, snapshot: &Snapshot<D>, truth: &Pose<D>) -> Result<Self> {
+    pub fn of(estimate: &Estimate<D>, snapshot: &Snapshot<D>, truth: &Pose<D>) -> Self {
         let sensors = snapshot.model.topology().sensors();
         let squared = |n: usize, s: SVector<f64, D>| (s - truth.act(&sensors[n])).norm_squared();
         let place = |n: usize| match estimate.theta {
             Some(theta) => Some(theta.orientation * sensors[n] + theta.position),
             None => snapshot.sensor_position(n),
         };
-        Ok(Self {
+        Self {
             pose: estimate.theta.map(|theta| PoseError::between(&theta, truth)),
             sensors: (0..sensors.len()).filter_map(|n| place(n).map(|s| squared(n, s))).sum(),
             reflected: estimate.reflected,
             uncertain: !matches!(estimate.optimum, Optimum::Formula | Optimum::Certified),
             iterations: estimate.iterations,
-        })
+        }
     }
 }

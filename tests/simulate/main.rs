@@ -1,6 +1,7 @@
 //! Simulated data against the laws they are drawn from: moments within their standard errors, draws that are common.
 
-#[path = "support/statistics.rs"]
+mod mounting;
+#[path = "../support/statistics.rs"]
 mod statistics;
 
 use rangelab::math::float::{ratio_from_db, sqrt};

@@ -1,8 +1,5 @@
 //! Sensors off their places on the body: drawn by their law, measured to, and told to no estimator.
 
-#[path = "support/statistics.rs"]
-mod statistics;
-
 use nalgebra::{SMatrix, SVector};
 use rangelab::math::float::sqrt;
 use rangelab::math::pose::Theta;
@@ -11,16 +8,13 @@ use rangelab::model::noise::RangeNoise;
 use rangelab::model::presets::preset;
 use rangelab::model::scenario::Scenario;
 use rangelab::simulate::mounting::mounting_cloud;
-use rangelab::simulate::simulate;
 use rangelab::track::filter::Estimator;
 use rangelab::track::kalman::KalmanFilter;
-use statistics::{LIMIT, Sample, correlation_deviation};
+
+use super::drawn;
+use super::statistics::{LIMIT, Sample, correlation_deviation};
 
 const SIGMA_E: f64 = 0.02;
-
-fn drawn(scenario: &Scenario, trial: u64) -> Recording<3> {
-    simulate(scenario, trial).unwrap()
-}
 
 /// The displacements of the sensors in some trials, each a standard normal number where `sigma` is the one drawn with.
 fn displacements(scenario: &Scenario, trials: u64, sigma: f64) -> Vec<f64> {
@@ -53,7 +47,7 @@ fn ranges_are_measured_to_the_displaced_sensors_of_the_trial_and_estimators_are_
     let sensors = scenario.sensors.len();
     let cloud = mounting_cloud::<3>(&scenario, 4).unwrap();
     for trial in 0..4 {
-        let recording = drawn(&scenario, trial);
+        let recording = drawn::<3>(&scenario, trial);
         assert_eq!(recording.model, scenario.setup().unwrap().model, "the model is the one given");
         let farthest = |places: &[SVector<f64, 3>]| {
             let mut farthest: f64 = 0.0;
@@ -78,7 +72,7 @@ fn ranges_are_measured_to_the_displaced_sensors_of_the_trial_and_estimators_are_
 fn a_mounting_error_moves_no_other_draw_and_none_at_all_no_bit() {
     let scenario = Scenario { missing_probability: 0.3, ..preset("room").unwrap() };
     let mounted = Scenario { mounting_sigma: SIGMA_E, ..scenario.clone() };
-    let (plain, displaced) = (drawn(&scenario, 2), drawn(&mounted, 2));
+    let (plain, displaced) = (drawn::<3>(&scenario, 2), drawn::<3>(&mounted, 2));
     assert_eq!(plain.truth, displaced.truth);
     let there = |recording: &Recording<3>| -> Vec<bool> {
         let pairs = |m: usize| (0..scenario.sensors.len()).map(move |n| (m, n));
@@ -93,7 +87,7 @@ fn a_mounting_error_moves_no_other_draw_and_none_at_all_no_bit() {
     assert_eq!(there(&plain), there(&displaced), "the same ranges go missing");
     assert_ne!(plain.epochs, displaced.epochs);
     let none = Scenario { mounting_sigma: 0.0, ..mounted.clone() };
-    assert_eq!(drawn(&none, 2), plain);
+    assert_eq!(drawn::<3>(&none, 2), plain);
     assert_eq!(mounting_cloud::<3>(&none, 1).unwrap(), plain.model.topology().sensors());
     // Twice the error displaces each sensor twice as far; a sensor more leaves the others where they were.
     let twice = Scenario { mounting_sigma: 2.0 * SIGMA_E, ..mounted.clone() };
@@ -126,7 +120,7 @@ fn the_mounting_error_is_the_floor_of_what_least_squares_finds() {
     let cloud = mounting_cloud::<3>(&scenario, trials).unwrap();
     let mut shifts = Vec::new();
     for (trial, places) in (0..trials).zip(cloud.chunks(sensors)) {
-        let recording = drawn(&scenario, trial);
+        let recording = drawn::<3>(&scenario, trial);
         let mut filter = KalmanFilter::new(recording.model.clone(), &recording.initial, recording.process);
         let found = filter.step(&recording.epochs[0]).unwrap().posterior;
         let truth = Theta::from(recording.truth[0].unwrap());
