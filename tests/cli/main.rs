@@ -2,6 +2,7 @@
 
 mod command;
 mod field;
+mod figure;
 mod place;
 mod refusals;
 
