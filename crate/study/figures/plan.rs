@@ -57,7 +57,7 @@ impl FigurePlan {
     /// Prepares a figure.
     ///
     /// # Errors
-    /// Where the number of trials is 0 or above [`crate::study::monte_carlo::MAX_TRIALS`], or the seed above 2^53 - 1.
+    /// Where the number of trials is 0 or above [`crate::study::monte_carlo::MAX_TRIALS`], or the seed above 2^53.
     pub fn new(figure: &'static Figure, trials: usize, seed: u64) -> Result<Self> {
         let (names, experiments): (Vec<_>, Vec<_>) = (figure.experiments)().into_iter().unzip();
         let experiments: Vec<Experiment> = experiments.into_iter().map(|each| each.with_seed(seed)).collect();

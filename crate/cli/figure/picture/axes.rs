@@ -37,8 +37,9 @@ pub fn draw(panel: &Panel, frame: Frame) -> Vec<Group> {
 
 /// Whether two curves are one line to the eye: they share a band, which would else grow dark.
 fn coincide(one: &Curve, other: &Curve) -> bool {
-    let same =
-        |(a, b): (&Point, &Point)| a.x == b.x && (a.y.value - b.y.value).abs() <= 1e-3 * b.y.value.abs();
+    let same = |(a, b): (&Point, &Point)| {
+        a.x.to_bits() == b.x.to_bits() && (a.y.value - b.y.value).abs() <= 1e-3 * b.y.value.abs()
+    };
     one.points.len() == other.points.len() && one.points.iter().zip(&other.points).all(same)
 }
 

@@ -98,7 +98,9 @@ fn key(report: &FigureReport, y: &mut f64) -> Group {
         let Look { colour, mark, dash } = Look::of(curve);
         let points = vec![[x, *y], [x + SWATCH, *y]];
         group.shapes.push(Shape::Line { points, colour, width: 1.75, dash });
-        mark.into_iter().for_each(|mark| mark.draw(&mut group, [x + SWATCH / 2.0, *y], colour));
+        if let Some(mark) = mark {
+            mark.draw(&mut group, [x + SWATCH / 2.0, *y], colour);
+        }
         group.text([x + SWATCH + 8.0, *y], &curve.label, INK, Side::Start);
         x += width + GAP;
     }

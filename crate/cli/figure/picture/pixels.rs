@@ -68,7 +68,9 @@ fn path(points: &[Place], close: bool) -> Option<Path> {
     let (first, rest) = points.split_first()?;
     let mut builder = PathBuilder::new();
     builder.move_to(single(first[0]), single(first[1]));
-    rest.iter().for_each(|[x, y]| builder.line_to(single(*x), single(*y)));
+    for [x, y] in rest {
+        builder.line_to(single(*x), single(*y));
+    }
     if close {
         builder.close();
     }

@@ -23,7 +23,9 @@ pub fn svg(drawing: &Drawing, title: &str, description: &str, metadata: &str) ->
         let _ = writeln!(text, "<{name}>{}</{name}>", escaped(content));
     }
     let _ = writeln!(text, "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>");
-    groups.iter().for_each(|each| group(&mut text, each));
+    for each in groups {
+        group(&mut text, each);
+    }
     text + "</svg>\n"
 }
 
