@@ -135,10 +135,11 @@ pub fn snapshot_fingerprints() -> String {
         let run = localize_trial(&scenario, 0).unwrap();
         scenario.localize.manifold = Manifold::O;
         let study = LocalizationStudy::new(&scenario, noises.to_vec(), 7).unwrap();
-        line(&format!("snapshot of {name}"), |hash| hash.bytes(serde_json::to_string(&run).unwrap().as_bytes()))
-            + &line(&format!("localization of {name}"), |hash| {
-                hash.numbers(&study.block(0).unwrap().to_numbers());
-            })
+        line(&format!("snapshot of {name}"), |hash| {
+            hash.bytes(serde_json::to_string(&run).unwrap().as_bytes())
+        }) + &line(&format!("localization of {name}"), |hash| {
+            hash.numbers(&study.block(0).unwrap().to_numbers());
+        })
     };
     let ranges = [0.3, 0.01].map(|sigma| RangeNoise::Range { sigma });
     let times = [20.0, 60.0].map(|zeta_db| RangeNoise::Toa { zeta_db });
