@@ -6,7 +6,7 @@ use rangelab::model::noise::RangeNoise;
 use rangelab::model::presets::preset;
 use rangelab::model::scenario::Scenario;
 use rangelab::study::localization::run::{cloud_stride, localization_cloud, localize_trial};
-use rangelab::study::localization::{LocalizationBlock, LocalizationStudy, TRIALS_PER_BLOCK};
+use rangelab::study::localization::{LocalizationBlock, LocalizationStudy, TRIALS_PER_BLOCK, paper_sweep};
 
 fn sweep() -> Vec<RangeNoise> {
     [20.0, 60.0].map(|zeta_db| RangeNoise::Toa { zeta_db }).to_vec()
@@ -94,4 +94,27 @@ fn one_trial_is_a_document_without_gaps() {
         let back = serde_json::from_str(&text).unwrap();
         assert_eq!(run, back, "{name}: what is no number would come back as another");
     }
+}
+
+/// `cargo test --release --test localize full_size -- --ignored --nocapture` prints what each estimator costs and the whole
+/// experiment of the paper on one core.
+#[test]
+#[ignore = "a timing, for a release build"]
+fn full_size_run() {
+    let run = |enabled: Vec<Name>, trials: usize| {
+        let mut scenario = preset("localization-paper").unwrap();
+        scenario.localize.enabled = enabled;
+        let start = std::time::Instant::now();
+        let study = LocalizationStudy::new(&scenario, paper_sweep(), trials).unwrap();
+        study.run().unwrap();
+        start.elapsed().as_secs_f64() / (21 * trials) as f64
+    };
+    let alone = run(Vec::new(), 400);
+    println!("draws, bounds: {:.1} us a trial and noise", 1e6 * alone);
+    for name in Name::ALL {
+        println!("{name}: {:.2} us", 1e6 * (run(vec![name], 400) - alone));
+    }
+    let each = run(Name::ALL.to_vec(), 2000);
+    println!("2000 trials x 21 noises, all estimators: {:.2} s on one core", each * 42_000.0);
+    assert!(each * 42_000.0 < 60.0, "{} s on one core is more than 30 s on two", each * 42_000.0);
 }
