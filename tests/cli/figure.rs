@@ -139,7 +139,7 @@ fn colours_are_those_of_the_page() {
         let groups =
             svg.split("<g>").filter(|group| group.contains(&format!("<title>{}</title>", curve.label)));
         for group in groups {
-            assert!(group.contains(&format!("stroke=\"{}\"", tokens[token])), "{token}: {group}");
+            assert!(group.contains(&tokens[token]), "{token}: {group}");
             assert_eq!(group.contains("stroke-dasharray=\"7 4\""), token == "bound", "{group}");
         }
     }
@@ -148,6 +148,9 @@ fn colours_are_those_of_the_page() {
     }
 }
 
+/// Rows of title and key, where each curve is shown too.
+const BELOW_KEY: usize = 100;
+
 #[test]
 fn a_png_shows_the_curves_and_holds_the_scenarios() {
     let file = folder("figure").join("figure.png");
@@ -155,7 +158,7 @@ fn a_png_shows_the_curves_and_holds_the_scenarios() {
     let decoder = png::Decoder::new(std::io::BufReader::new(std::fs::File::open(&file).unwrap()));
     let mut reader = decoder.read_info().unwrap();
     let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
-    reader.next_frame(&mut bytes).unwrap();
+    let width = reader.next_frame(&mut bytes).unwrap().width as usize;
     let pixels: &[[u8; 3]] = bytes.as_chunks().0;
     let report = report();
     let text = |keyword: &str| {
@@ -169,8 +172,10 @@ fn a_png_shows_the_curves_and_holds_the_scenarios() {
         let hex = &tokens()[name];
         let part = |i: usize| u8::from_str_radix(&hex[i..i + 2], 16).unwrap();
         let colour = [part(1), part(3), part(5)];
-        let count = pixels.iter().filter(|pixel| **pixel == colour).count();
-        assert!(count > 100, "{name}: {count} pixels");
+        // Thin lines are mixed with what is below; their middles and the marks are not.
+        let near = |pixel: &&[u8; 3]| pixel.iter().zip(colour).all(|(a, b)| a.abs_diff(b) <= 6);
+        let count = pixels[width * BELOW_KEY..].iter().filter(near).count();
+        assert!(count > 30, "{name}: {count} pixels");
     }
 }
 

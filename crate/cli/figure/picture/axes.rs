@@ -30,8 +30,11 @@ pub fn draw(panel: &Panel, frame: Frame) -> Vec<Group> {
     for (index, one) in panel.curves.iter().enumerate() {
         let alone = !panel.curves[..index].iter().any(|other| coincide(one, other));
         let banded = one.kind == CurveKind::Estimator && alone;
-        groups.push(curve(one, index, banded, frame, &ranges));
+        groups.push(curve(one, banded, frame, &ranges));
     }
+    // Above all lines, so that a curve is seen where another covers it.
+    let curves = panel.curves.iter().enumerate();
+    groups.extend(curves.filter_map(|(index, one)| marks(one, index, frame, &ranges)));
     groups
 }
 
@@ -134,28 +137,40 @@ fn ground(panel: &Panel, frame: Frame, ranges: &Ranges) -> Group {
     group
 }
 
-fn curve(curve: &Curve, index: usize, banded: bool, frame: Frame, ranges: &Ranges) -> Group {
-    let Look { colour, mark, dash } = Look::of(curve);
+fn curve(curve: &Curve, banded: bool, frame: Frame, ranges: &Ranges) -> Group {
+    let Look { colour, dash, .. } = Look::of(curve);
     let mut group = Group::new(&curve.label);
-    let log = ranges.y.scale == AxisScale::Log;
-    let shown: Vec<&Point> = curve.points.iter().filter(|point| !log || point.y.value > 0.0).collect();
-    let edge = |point: &&&Point, sign: f64| {
+    let shown = shown(curve, ranges);
+    let edge = |point: &Point, sign: f64| {
         ranges.place(frame, point.x, point.y.value + sign * SPREAD * point.y.standard_error)
     };
-    let upper = shown.iter().map(|point| edge(&point, 1.0));
-    let band: Vec<Place> = upper.chain(shown.iter().rev().map(|point| edge(&point, -1.0))).collect();
     if banded {
-        group.shapes.push(Shape::Area { points: band, colour, opacity: 0.2 });
+        let upper = shown.iter().map(|point| edge(point, 1.0));
+        let points = upper.chain(shown.iter().rev().map(|point| edge(point, -1.0))).collect();
+        group.shapes.push(Shape::Area { points, colour, opacity: 0.2 });
     }
-    let points: Vec<Place> = shown.iter().map(|point| ranges.place(frame, point.x, point.y.value)).collect();
-    group.shapes.push(Shape::Line { points: points.clone(), colour, width: 1.75, dash });
-    // Each curve begins its marks at another point: where curves meet, their marks take turns.
-    let every = stride(points.len(), frame.width);
-    if let Some(mark) = mark {
-        let marked = points.iter().skip(every - 1 - index % every).step_by(every);
-        marked.for_each(|place| mark.draw(&mut group, *place, colour));
-    }
+    let points = shown.iter().map(|point| ranges.place(frame, point.x, point.y.value)).collect();
+    group.shapes.push(Shape::Line { points, colour, width: 1.75, dash });
     group
+}
+
+fn marks(curve: &Curve, index: usize, frame: Frame, ranges: &Ranges) -> Option<Group> {
+    let Look { colour, mark, .. } = Look::of(curve);
+    let mark = mark?;
+    let mut group = Group::new(&curve.label);
+    let shown = shown(curve, ranges);
+    // Each curve begins its marks at another point: where curves meet, their marks take turns.
+    let every = stride(shown.len(), frame.width);
+    for point in shown.iter().skip(every - 1 - index % every).step_by(every) {
+        mark.draw(&mut group, ranges.place(frame, point.x, point.y.value), colour);
+    }
+    Some(group)
+}
+
+/// The points that the axis can hold.
+fn shown<'a>(curve: &'a Curve, ranges: &Ranges) -> Vec<&'a Point> {
+    let log = ranges.y.scale == AxisScale::Log;
+    curve.points.iter().filter(|point| !log || point.y.value > 0.0).collect()
 }
 
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most the number of points")]
