@@ -5,6 +5,7 @@ mod estimate;
 mod failure;
 mod field;
 mod input;
+mod localize;
 mod output;
 mod place;
 mod presets;
@@ -47,6 +48,7 @@ pub enum Command {
     Run(run::RunCommand),
     Simulate(simulate::SimulateCommand),
     Estimate(estimate::EstimateCommand),
+    Localize(localize::LocalizeCommand),
     Study(study::StudyCommand),
     Field(field::FieldCommand),
     Place(place::PlaceCommand),
@@ -61,6 +63,7 @@ impl Command {
             Self::Run(command) => command.execute(),
             Self::Simulate(command) => command.execute(),
             Self::Estimate(command) => command.execute(),
+            Self::Localize(command) => command.execute(),
             Self::Study(command) => command.execute(),
             Self::Field(command) => command.execute(),
             Self::Place(command) => command.execute(),

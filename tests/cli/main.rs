@@ -2,6 +2,7 @@
 
 mod command;
 mod field;
+mod localize;
 mod place;
 mod refusals;
 

@@ -136,7 +136,7 @@ pub fn snapshot_fingerprints() -> String {
         scenario.localize.manifold = Manifold::O;
         let study = LocalizationStudy::new(&scenario, noises.to_vec(), 7).unwrap();
         line(&format!("snapshot of {name}"), |hash| {
-            hash.bytes(serde_json::to_string(&run).unwrap().as_bytes())
+            hash.bytes(serde_json::to_string(&run).unwrap().as_bytes());
         }) + &line(&format!("localization of {name}"), |hash| {
             hash.numbers(&study.block(0).unwrap().to_numbers());
         })
