@@ -3,7 +3,7 @@
 
 use nalgebra::SVector;
 use rangelab::bounds::field::{NONE, layout_of};
-use rangelab::model::availability::{AvailabilitySettings, Obstacle};
+use rangelab::model::availability::AvailabilitySettings;
 use rangelab::model::field_settings::Subject;
 use rangelab::model::placement_settings::{Criterion, Over, Region, Target};
 use rangelab::model::ranging::RangeForm;
@@ -11,7 +11,7 @@ use rangelab::model::scenario::Scenario;
 use rangelab::place::{NextAnchor, advise, best_next, field_rows, next_at};
 
 use crate::in_plane_and_space;
-use crate::scenes::{CRITERIA, FORMS, OVERS, TARGETS, placement, points, random, typed};
+use crate::scenes::{CRITERIA, FORMS, OVERS, TARGETS, obstructed, placement, points, random, typed};
 use crate::support::sampling::Sampler;
 
 in_plane_and_space!(
@@ -22,18 +22,6 @@ in_plane_and_space!(
 );
 
 const TOLERANCE: f64 = 1e-9;
-
-/// A wall through the region and a box at a corner of it, and anchors of which some do not reach all of it.
-fn obstructed<const D: usize>(trial: usize) -> Scenario {
-    let mut scenario = random::<D>(trial);
-    let wall =
-        Obstacle::Wall { from: vec![-1.53, 0.51], to: vec![1.49, 0.83], bottom: Some(-6.0), top: Some(6.0) };
-    let low = vec![2.2; D];
-    let block = Obstacle::Box { high: low.iter().map(|x| x + 1.0).collect(), low };
-    scenario.availability.obstacles = vec![wall, block];
-    scenario.availability.max_ranges = scenario.anchors.iter().map(|_| Some(7.0)).collect();
-    scenario
-}
 
 /// The scenario with anchors that reach as far as one likes, really among the others.
 fn with<const D: usize>(scenario: &Scenario, more: &[Vec<f64>]) -> Scenario {
@@ -87,10 +75,7 @@ fn the_value_is_that_of_all_anchors_together<const D: usize>() {
         }
     }
     // Were walls forgotten, or the anchor counted twice, most values would show it.
-    assert!(
-        seen >= 6 * 36 * 3 && 4 * blocked > 3 * seen && 4 * doubled > 3 * seen,
-        "{seen} {blocked} {doubled}"
-    );
+    assert!(seen > 500 && 4 * blocked > 3 * seen && 4 * doubled > 3 * seen, "{seen} {blocked} {doubled}");
 }
 
 type Choice = (RangeForm, Criterion, Target, Over);
