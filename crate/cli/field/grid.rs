@@ -6,7 +6,7 @@ use rangelab::model::field_settings::{FieldPlane, Quantity, Subject};
 use rangelab::model::placement_settings::{Criterion, Over, Target};
 use rangelab::model::ranging::RangeForm;
 use rangelab::model::scenario::Scenario;
-use rangelab::place::field_rows;
+use rangelab::place::{NextPlace, best_next, field_rows};
 use rangelab::with_dimension;
 
 use super::picture::scale::short;
@@ -18,6 +18,8 @@ pub struct Grid {
     pub values: Vec<Option<f64>>,
     /// Larger values are marked; in the unit of the values.
     pub limit: Option<f64>,
+    /// The best place of one more anchor, where the field shows that.
+    pub best: Option<NextPlace>,
 }
 
 impl Grid {
@@ -28,7 +30,11 @@ impl Grid {
         let shown = |value: f64| if scenario.field.in_angles(target) { degrees(value) } else { value };
         let values = values.iter().map(|value| (*value < NONE).then(|| shown(*value))).collect();
         let limit = scenario.field.limit(target).map(shown);
-        Ok(Self { scenario, layout, values, limit })
+        let best = match scenario.field.subject {
+            Subject::Body => None,
+            Subject::NextAnchor => best_next(&scenario)?,
+        };
+        Ok(Self { scenario, layout, values, limit, best })
     }
 
     pub fn unit(&self) -> &'static str {

@@ -40,6 +40,7 @@ pub fn json(grid: &Grid) -> String {
         "one_more_anchor": grid.of_next_anchor(),
         "unit": grid.unit(),
         "limit": grid.limit,
+        "best_next_anchor": grid.best.as_ref().map(|best| &best.point),
         "layout": grid.layout,
         "values": rows,
         "scenario": scenario,
