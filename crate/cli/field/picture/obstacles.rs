@@ -39,8 +39,11 @@ pub fn outlines(grid: &Grid) -> Vec<Outline> {
 
 pub fn draw(canvas: &mut Canvas, frame: Frame, grid: &Grid) {
     for Outline { points, stroke } in outlines(grid) {
-        for (i, point) in points.iter().enumerate() {
-            canvas.line(frame, *point, points[(i + 1) % points.len()], stroke);
+        for line in points.windows(2) {
+            canvas.line(frame, line[0], line[1], stroke);
+        }
+        if let [first, _, .., last] = points[..] {
+            canvas.line(frame, last, first, stroke);
         }
     }
 }
@@ -57,12 +60,23 @@ fn outline(grid: &Grid, block: &Block, stroke: Stroke) -> Option<Outline> {
         points = corners[..4].to_vec();
         stroke.dash = stroke.dash.or(BESIDE.dash);
     }
-    let mut points: Vec<[f64; 2]> = points.into_iter().map(|point| place(grid, point)).collect();
+    let mut points: Vec<[f64; 2]> = distinct(points).into_iter().map(|point| place(grid, point)).collect();
     let middle: [f64; 2] =
         core::array::from_fn(|i| points.iter().map(|p| p[i]).sum::<f64>() / points.len() as f64);
     let angle = |p: &[f64; 2]| atan2(p[1] - middle[1], p[0] - middle[0]);
     points.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
     Some(Outline { points, stroke })
+}
+
+/// Without repetitions: a wall has every corner twice.
+fn distinct(points: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
+    let mut seen: Vec<[f64; 3]> = Vec::new();
+    for point in points {
+        if !seen.contains(&point) {
+            seen.push(point);
+        }
+    }
+    seen
 }
 
 /// Bits 0, 1 and 2 of a corner's number: far along the heading, across it, upwards.
