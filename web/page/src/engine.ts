@@ -12,6 +12,7 @@ import type { Preset } from "./generated/Preset";
 import type { Problem } from "./generated/Problem";
 import type { Exploration } from "./generated/Exploration";
 import type { FieldLayout } from "./generated/FieldLayout";
+import type { NextPlace } from "./generated/NextPlace";
 import type { PointBound } from "./generated/PointBound";
 import type { Run } from "./run";
 import type { NamedTopology, Scenario } from "./scenario";
@@ -105,7 +106,7 @@ export function fieldRows(
   return guarded(() => estimators.field_rows(JSON.stringify(scenario), resolution, firstRow, rows));
 }
 
-/** The program (WGSL) by which a graphics device computes the field from `fieldParameters`. */
+/** The program (WGSL) by which a graphics device computes the body's field from `fieldParameters`. */
 export function fieldProgram(scenario: Scenario): string {
   return guarded(() => estimators.field_program(JSON.stringify(scenario)));
 }
@@ -119,6 +120,17 @@ export function fieldParameters(scenario: Scenario): Float32Array {
 export function fieldProbe(scenario: Scenario, point: readonly number[]): PointBound {
   const at = Float64Array.from(point);
   return JSON.parse(guarded(() => estimators.field_probe(JSON.stringify(scenario), at)));
+}
+
+/** What one more anchor would be worth at a point, D coordinates in m. Throws a sentence. */
+export function nextAt(scenario: Scenario, point: readonly number[]): NextPlace {
+  const at = Float64Array.from(point);
+  return JSON.parse(guarded(() => estimators.next_at(JSON.stringify(scenario), at)));
+}
+
+/** Where in the plane of the field one more anchor helps most; null where no place gives a bound. Throws a sentence. */
+export function bestNext(scenario: Scenario): NextPlace | null {
+  return JSON.parse(guarded(() => estimators.best_next(JSON.stringify(scenario))));
 }
 
 /** What the anchors are worth to `placement`, and how that changes with the place of each. Throws a sentence. */

@@ -6,6 +6,7 @@ import { ground, groundLabels } from "../../scene/ground";
 import Controls from "./controls/Panel.svelte";
 import { fields, picture } from "./fields";
 import { body, bounds, contourLabels, contours, ghosts, ranges, reading, twin } from "./layers";
+import { nextLabels, nextMark } from "./next-layers";
 import { boxes, boxLabels, downhill } from "./placement-layers";
 import { obstacles } from "./obstacles";
 import Readout from "./Readout.svelte";
@@ -37,6 +38,7 @@ export const lab: Lab<ExploreRun> = {
     ghosts,
     twin,
     reading,
+    nextMark,
     anchors,
     downhill,
   ],
@@ -44,6 +46,7 @@ export const lab: Lab<ExploreRun> = {
   labels: (input) => [
     ...anchorLabels(input),
     ...(input.run ? axisLabels(input, input.run) : []),
+    ...nextLabels(input),
     ...boxLabels(input),
     ...contourLabels(input),
     ...groundLabels(input),

@@ -3,6 +3,7 @@ import type { Exploration } from "../../generated/Exploration";
 import type { SceneInput } from "../../scene/input";
 import { asSentence } from "../../words";
 import { weakestMotion } from "./layers";
+import { toldNext } from "./next-anchor";
 import { toldAdvice } from "./placement";
 import type { ExploreRun } from "./run";
 
@@ -56,6 +57,7 @@ export function told(input: SceneInput<ExploreRun>): string[] {
     missing === 0 ? `All ${all} ranges can be measured.` : `${missing} of ${all} ranges cannot be measured.`,
     ...(walls > 0 ? [`${walls} walls and boxes block lines of sight.`] : []),
     ...toldAdvice(run.advice, scenario),
+    ...toldNext(run.next),
     ...(exploration.modes.length > 0 ? [`${ghostOf(input)}.`] : []),
   ];
 }
