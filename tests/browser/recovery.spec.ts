@@ -55,11 +55,11 @@ test("an engine that breaks is started again: the edit stays, the numbers are ri
 });
 
 test("a page whose engine does not arrive says so in a sentence", async ({ page }) => {
-  await page.route("**/rangelab_wasm_bg*.wasm", (route) => route.abort());
+  await page.route("**/rangelab_track_bg*.wasm", (route) => route.abort());
   await page.goto("./?renderer=canvas2d&theme=light");
   await expect(page.getByRole("alert")).toContainText("The page could not start");
   await expect(page.getByRole("button", { name: "Try again" })).toBeVisible();
-  await page.unroute("**/rangelab_wasm_bg*.wasm");
+  await page.unroute("**/rangelab_track_bg*.wasm");
   await page.getByRole("button", { name: "Try again" }).click();
   await expect(page.locator(".status")).toContainText("Ready");
 });
