@@ -64,7 +64,7 @@ export function studyBlock(scenario: Scenario, firstTrial: number, trials: numbe
 
 /** A study under way: the same bits as the command line's, whoever computed the blocks. */
 export class StudySum {
-  #sum: WasmStudy;
+  readonly #sum: wasm.StudySum;
   readonly #generation = trackModule.generation;
 
   constructor(scenario: Scenario) {

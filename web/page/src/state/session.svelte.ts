@@ -166,7 +166,8 @@ export class Session<R extends LabRun = LabRun> {
     this.loader.whenThere(
       lab,
       () => this.#afterGesture(open),
-      (error) => this.#afterGesture(() => this.refuse(`${notLoaded(lab, error)} The lab ${this.lab.title} stays.`)),
+      (error) =>
+        this.#afterGesture(() => this.refuse(`${notLoaded(lab, error)} The lab ${this.lab.title} stays.`)),
     );
   }
 
@@ -224,7 +225,7 @@ export class Session<R extends LabRun = LabRun> {
     try {
       return engine.validate(this.#history.present.scenario)[0];
     } catch (error) {
-      this.#recover(error);
+      void this.#recover(error);
       return undefined;
     }
   }
@@ -264,21 +265,21 @@ export class Session<R extends LabRun = LabRun> {
       this.#good = this.scenario;
       this.#traps = 0;
     } catch (error) {
-      if (error instanceof engine.EngineTrap) return this.#recover(error);
+      if (error instanceof engine.EngineTrap) return void this.#recover(error);
       this.failure = `${sentenceOf(error)} The last good run stays on the screen.`;
     }
     this.#tell();
   };
 
   /** A fresh engine gets the scenario again; one that breaks over it too gets the last good one. */
-  #recover(error: unknown): void {
+  async #recover(error: unknown): Promise<void> {
     this.#traps += 1;
     reportError(error);
     if (this.#traps > MOST_TRAPS) {
       this.failure = "The engine stops at every scene. Reload the page; the scene is kept.";
       return;
     }
-    engine.restartEngine();
+    await engine.restartEngine();
     if (this.#traps > 1) this.#retreat();
     scheduleCompute(this.#compute);
   }

@@ -12,11 +12,17 @@ export function workerCount(): number {
 }
 
 export function startStudyWorker(): PoolWorker<Block, Sums> {
-  return loaded(new Worker(new URL("./study-worker.ts", import.meta.url), { type: "module", name: "study" }), trackModule);
+  return loaded(
+    new Worker(new URL("./study-worker.ts", import.meta.url), { type: "module", name: "study" }),
+    trackModule,
+  );
 }
 
 export function startPlaceWorker(): PoolWorker<Search, Improvement> {
-  return loaded(new Worker(new URL("./place-worker.ts", import.meta.url), { type: "module", name: "place" }), exploreModule);
+  return loaded(
+    new Worker(new URL("./place-worker.ts", import.meta.url), { type: "module", name: "place" }),
+    exploreModule,
+  );
 }
 
 function loaded(worker: Worker, engine: EngineModule): Worker {
