@@ -1,6 +1,6 @@
 import { beforeAll, describe, expect, test } from "vitest";
 import { advise, fieldLayout, fieldRows, nextAt, preset } from "../../engine";
-import { loadEngineForTests } from "../../engine.testing";
+import { loadEngineForTests } from "../../engine/testing";
 import type { Scenario } from "../../scenario";
 import { UNBOUNDED } from "../../scene/field";
 import { endsOf, pictureOf, unitOf } from "./fields";
