@@ -31,7 +31,8 @@ export function picture({
 export function pictureOf(field: Field, scenario: Scenario, opacity: number): FieldPicture {
   const { values, width, height, corner, u, v } = field;
   const { subject, position_limit, angle_limit } = scenario.field;
-  const ends = subject === "body" ? scaleOf(values, unitOf(scenario).factor) : endsOf(values);
+  const { factor } = unitOf(scenario);
+  const ends = subject === "body" ? scaleOf(values, factor) : endsOf(values, factor);
   const worseThan = inAngles(scenario) ? angle_limit : position_limit;
   const program = subject === "body" ? programOf(field.scenario) : null;
   return { values, width, height, corner, u, v, ...ends, worseThan, opacity, program };
@@ -61,11 +62,15 @@ export function scaleOf(values: Float32Array, factor: number): { low: number; hi
 const LEAST_RATIO = 1.02;
 
 /** The ends of a scale that takes all its colours for the numbers there are: one more anchor often changes little. */
-export function endsOf(values: Float32Array): { low: number; high: number } {
+export function endsOf(values: Float32Array, factor: number): { low: number; high: number } {
   const seen = values.filter((value) => value < UNBOUNDED).sort();
   if (seen.length === 0) return { low: 0.01, high: 1 };
-  const [low, high] = [seen[0], seen[Math.floor(SHOWN_SHARE * (seen.length - 1))]];
-  return { low, high: Math.max(high, LEAST_RATIO * low) };
+  const least = Math.max(seen[0] * factor, 1e-12);
+  const most = Math.max(seen[Math.floor(SHOWN_SHARE * (seen.length - 1))] * factor, LEAST_RATIO * least);
+  // The third digit of the larger end, so that numbers beside the scale are short.
+  const step = 10 ** (Math.floor(Math.log10(most)) - 2);
+  const [low, high] = [Math.floor(least / step), Math.ceil(most / step)];
+  return { low: (Math.max(low, 0.1) * step) / factor, high: (high * step) / factor };
 }
 
 /** Smallest of 1, 2, 5 times a power of ten that is not below `value`. */
