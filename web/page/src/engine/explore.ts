@@ -47,6 +47,11 @@ export function fieldProbe(scenario: Scenario, point: readonly number[]): PointB
   return JSON.parse(exploreModule.call(() => wasm.field_probe(JSON.stringify(scenario), at)));
 }
 
+/** Where the sensors sit on the body in the first trials, m: trial by trial, sensor by sensor, D numbers each. */
+export function mountingCloud(scenario: Scenario, trials: number): Float64Array {
+  return exploreModule.call(() => wasm.mounting_cloud(JSON.stringify(scenario), trials));
+}
+
 /** What the anchors are worth to `placement`, and how that changes with the place of each. Throws a sentence. */
 export function advise(scenario: Scenario): Advice {
   return JSON.parse(exploreModule.call(() => wasm.advise(JSON.stringify(scenario))));

@@ -5,7 +5,7 @@ import { anchorLabels, anchors } from "../../scene/anchors";
 import { ground, groundLabels } from "../../scene/ground";
 import Controls from "./controls/Panel.svelte";
 import { fields, picture } from "./fields";
-import { body, bounds, contourLabels, contours, ghosts, ranges, reading, twin } from "./layers";
+import { body, bounds, contourLabels, contours, ghosts, mounting, ranges, reading, twin } from "./layers";
 import { boxes, boxLabels, downhill } from "./placement-layers";
 import { obstacles } from "./obstacles";
 import Readout from "./Readout.svelte";
@@ -34,6 +34,7 @@ export const lab: Lab<ExploreRun> = {
     boxes,
     ranges,
     bounds,
+    mounting,
     body,
     ghosts,
     twin,
