@@ -6,6 +6,7 @@ import { ground, groundLabels } from "../../scene/ground";
 import Controls from "./controls/Panel.svelte";
 import { fields, picture } from "./fields";
 import { body, bounds, contourLabels, contours, ghosts, mounting, ranges, reading, twin } from "./layers";
+import { nextLabels, nextMark } from "./next-layers";
 import { boxes, boxLabels, downhill } from "./placement-layers";
 import { obstacles } from "./obstacles";
 import Readout from "./Readout.svelte";
@@ -39,6 +40,7 @@ export const lab: Lab<ExploreRun> = {
     ghosts,
     twin,
     reading,
+    nextMark,
     anchors,
     downhill,
   ],
@@ -46,6 +48,7 @@ export const lab: Lab<ExploreRun> = {
   labels: (input) => [
     ...anchorLabels(input),
     ...(input.run ? axisLabels(input, input.run) : []),
+    ...nextLabels(input),
     ...boxLabels(input),
     ...contourLabels(input),
     ...groundLabels(input),
