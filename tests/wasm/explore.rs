@@ -41,7 +41,7 @@ fn the_facade_of_the_field_hands_through() {
     assert_eq!(curve[1].to_bits(), found["angle_sigma"].as_f64().unwrap().to_bits());
     assert!(curve[0] > curve[1] && curve[1] > curve[2], "a larger body is a better compass: {curve:?}");
     assert!(size_curve(&scenario, &[0.0]).is_err());
-    let mut mounted = Scenario::from_json(&scenario).unwrap();
+    let mut mounted = preset("room").unwrap();
     mounted.mounting_sigma = 0.01;
     let native = rangelab::simulate::mounting::mounting_cloud::<3>(&mounted, 4).unwrap();
     let cloud = mounting_cloud(&mounted.to_json(), 4).ok().unwrap();
