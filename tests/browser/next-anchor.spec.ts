@@ -59,9 +59,7 @@ test("Add it puts an anchor at the best place, which lowers the figure; one undo
   const lab = await openNextAnchor(page);
   const [now, best] = [await number(page, "now"), await number(page, "best")];
   expect(best).toBeLessThan(now);
-  await expect(page.locator('svg.labels text[data-id="next anchor"]')).toContainText(
-    "7.14 mm now, ",
-  );
+  await expect(page.locator('svg.labels text[data-id="next anchor"]')).toContainText("7.14 mm now, ");
   const anchors = page.locator("#scene-twin li");
   const count = await anchors.count();
   await page.getByRole("button", { name: "Add it" }).click();
