@@ -16,9 +16,9 @@ export interface Box extends Pixel {
 }
 
 /** Numbers of anchors come first, then the other names, and the scale takes what is left. */
-const RANK = { anchor: 0, start: 1, axis: 2, tick: 3 } as const;
+const RANK = { anchor: 0, handle: 1, axis: 2, name: 3, tick: 4 } as const;
 /** Sizes of the kinds in Scene's style, as shares of the page's. */
-const SIZE = { anchor: 1.05, start: 0.85, axis: 0.95, tick: 0.8 } as const;
+const SIZE = { anchor: 1.05, handle: 0.85, axis: 0.95, name: 0.8, tick: 0.8 } as const;
 const CHARACTER_WIDTH = 0.58;
 /** CSS pixels from a point to the nearest edge of its text, and what no text may cover around a point. */
 const GAP = 7;
@@ -49,7 +49,7 @@ export class LabelPlacer {
       .map((label) => ({ label, point: view.project(label.at) }))
       .filter(({ point: { x, y, depth } }) => depth > 0 && x >= 0 && y >= 0 && x <= width && y <= height)
       .sort((a, b) => RANK[a.label.kind] - RANK[b.label.kind]);
-    const named = visible.filter(({ label }) => label.kind === "anchor" || label.kind === "start");
+    const named = visible.filter(({ label }) => label.kind === "anchor" || label.kind === "handle");
     const taken = [
       ...covered,
       ...named.map(({ point }) => ({ x: point.x, y: point.y, halfWidth: GAP, halfHeight: GAP })),

@@ -1,6 +1,7 @@
 import * as engine from "../engine";
 import { forLab, type Lab, labOf, type LabRun } from "../lab";
 import type { Scenario } from "../scenario";
+import { lowerFirst } from "../words";
 import { readLink, readText, sentenceOf, textOf } from "./document";
 import { scheduleCompute } from "./frames";
 import { History } from "./history";
@@ -189,7 +190,6 @@ export class Session<R extends LabRun = LabRun> {
   }
 
   #travel(what: string): void {
-    this.selected = existing(this.#history.present.scenario, this.selected);
     this.refusal = null;
     this.#show();
     this.#announce(what);
@@ -202,6 +202,7 @@ export class Session<R extends LabRun = LabRun> {
     // A run means nothing to another lab than its own.
     if (lab !== this.lab) this.run = null;
     this.lab = lab;
+    this.selected = existing(this, this.selected);
     this.undoes = this.#history.canUndo ? this.#history.present.what : null;
     this.redoes = this.#history.next?.what ?? null;
     scheduleCompute(this.#compute);
@@ -257,8 +258,4 @@ export class Session<R extends LabRun = LabRun> {
     this.announcement = `${this.#pendingWhat}.`;
     this.#pendingWhat = null;
   }
-}
-
-function lowerFirst(text: string): string {
-  return text.charAt(0).toLowerCase() + text.slice(1);
 }

@@ -2,11 +2,14 @@ import { preset, presets } from "../../engine";
 import type { Lab } from "../../lab";
 import { axisLabels } from "../../rigid-body/layers";
 import { anchorLabels, anchors } from "../../scene/anchors";
+import { handleLabels, handles as handleMarks } from "../../scene/handles";
 import { ground, groundLabels } from "../../scene/ground";
 import Controls from "./controls/Panel.svelte";
+import { drawings } from "./drawings";
 import { fields, picture } from "./fields";
+import { handles } from "./handles";
 import { body, bounds, contourLabels, contours, ghosts, ranges, reading, twin } from "./layers";
-import { boxes, boxLabels, downhill } from "./placement-layers";
+import { boxes, downhill, partLabels } from "./placement-layers";
 import { obstacles } from "./obstacles";
 import Readout from "./Readout.svelte";
 import { type ExploreRun, runOf } from "./run";
@@ -26,6 +29,7 @@ export const lab: Lab<ExploreRun> = {
     fields.show(scenario);
     return run;
   },
+  shows: "Anchors, body and the field of its bound in space",
   layers: [
     ground,
     contours,
@@ -37,14 +41,18 @@ export const lab: Lab<ExploreRun> = {
     ghosts,
     twin,
     reading,
+    handleMarks,
     anchors,
     downhill,
   ],
   field: picture,
+  handles,
+  drawings,
   labels: (input) => [
     ...anchorLabels(input),
+    ...handleLabels(input),
     ...(input.run ? axisLabels(input, input.run) : []),
-    ...boxLabels(input),
+    ...partLabels(input),
     ...contourLabels(input),
     ...groundLabels(input),
   ],
