@@ -18,6 +18,9 @@ const CLICK_SLACK = { mouse: 4, touch: 10 };
 /** Two clicks are one double click within this time and distance. */
 const DOUBLE = { milliseconds: 400, pixels: 24 };
 
+/** CSS pixels between things of which one lies on the other. */
+const COVERED = 6;
+
 interface Press {
   readonly at: Pixel;
   readonly hit: Hit | null;
@@ -158,7 +161,13 @@ export class PointerControl {
 
   /** A press on what is chosen alone goes on to what else lies there. */
   #beneath({ thing }: Hit, event: PointerEvent): Thing {
-    return this.#hits(event).find((other) => other.thing !== thing)?.thing ?? thing;
+    const hands = this.#hands;
+    const { points } = hands.pickable();
+    const pixel = (one: Thing) => hands.view().project(points.get(one) ?? [0, 0, 0]);
+    const at = pixel(thing);
+    const covers = (other: Thing) => Math.hypot(pixel(other).x - at.x, pixel(other).y - at.y) < COVERED;
+    const others = this.#hits(event).map((hit) => hit.thing);
+    return others.find((other) => other !== thing && covers(other)) ?? thing;
   }
 
   #wheel = (event: WheelEvent): void => {
