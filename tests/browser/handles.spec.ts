@@ -171,6 +171,34 @@ test("without dragging: a press where it begins and one where it ends; Escape st
   await expect(handles(page)).not.toContainText("Anchors within, middle");
 });
 
+test("a box is drawn in the plane; a scene that is seen from the side says that it has no floor", async ({
+  page,
+}) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  const lab = await openExplore(page);
+  await page.getByRole("button", { name: "Front", exact: true }).click();
+  const body = await lab.pixelOf("start");
+  await draw(page, "a wall");
+  await page.mouse.move(body.x - 60, body.y - 60);
+  await page.mouse.down();
+  await page.mouse.move(body.x + 60, body.y - 90, { steps: 4 });
+  await page.mouse.up();
+  await expect(lab.status).toContainText("The floor is not seen there");
+  await expect(handles(page)).toHaveCount(0);
+  await lab.surface.focus();
+  await page.keyboard.press("Escape");
+
+  await lab.openPreset("planar");
+  const { x, y } = await lab.pixelOf("start");
+  await draw(page, "a box that blocks sight");
+  await page.mouse.move(x - 60, y - 60);
+  await page.mouse.down();
+  await page.mouse.move(x - 20, y + 60, { steps: 4 });
+  await page.mouse.up();
+  await expect(lab.status).toContainText(/Box 1 drawn from \([^,]*, [^,]*\) m/);
+  await expect(card(page).getByRole("textbox")).toHaveCount(2);
+});
+
 test("by the keyboard alone: choose, move, lift, type, remove", async ({ page }) => {
   const lab = await openExplore(page);
   await addKeepOut(lab);
@@ -214,7 +242,7 @@ test("a corner at an anchor's place yields to the anchor, and another press goes
   await page.mouse.move(x - 30, y + 10, { steps: 4 });
   await page.mouse.up();
   await expect(lab.status).toContainText("Anchors within, low corner moved to");
-  expect(await lab.anchor(1)).toBe(anchor);
+  expect(anchor).toContain(await lab.anchor(1));
 });
 
 test("the names of boxes show, and Track has no handles", async ({ page }) => {
@@ -240,10 +268,10 @@ test("the names of boxes show, and Track has no handles", async ({ page }) => {
 test("what a search said of one preset is not said of the next", async ({ page }) => {
   const lab = await openExplore(page);
   const group = await lab.openGroup("Placement");
-  await lab.type("Searches", "64");
+  const outcome = group.getByRole("status").filter({ hasText: "Best of 1:" });
+  await lab.type("Searches", "1");
   await group.getByRole("button", { name: "Improve" }).click();
-  await group.getByRole("button", { name: "Cancel" }).click();
-  await expect(group).toContainText("Cancelled: no anchor has moved.");
+  await expect(outcome).toBeVisible();
   await lab.openPreset("three-anchors");
-  await expect(group).not.toContainText("Cancelled");
+  await expect(outcome).toHaveCount(0);
 });

@@ -42,12 +42,39 @@ export const STATES: readonly State[] = [
   { name: "parts put away", prepare: putAway },
   { name: "scene restored", prepare: restore },
   { name: "fault told", prepare: fault },
+  { name: "handles", prepare: showHandles },
+  { name: "drawings", prepare: openDrawings },
 ];
 
 /** The page in that state, theme and size. */
 export async function enter(lab: Lab, state: State): Promise<void> {
   if (state.preset) await lab.openPreset(state.preset);
   await state.prepare(lab);
+}
+
+/** Explore with its boxes, a wall and a corner that is chosen. */
+async function showHandles(lab: Lab): Promise<void> {
+  await explore(lab);
+  const placement = await lab.openGroup("Placement");
+  for (const name of ["Body in a box", "Limit anchors", "Keep-out box"])
+    await placement.getByRole("button", { name }).click();
+  const availability = await lab.openGroup("Range availability");
+  await availability.getByRole("button", { name: "Add a wall" }).click();
+  await lab.surface.focus();
+  for (let i = 0; i < 5; i++) await lab.page.keyboard.press("p");
+  await expect(lab.page.getByRole("group", { name: "Selected handle" })).toBeVisible();
+}
+
+async function openDrawings(lab: Lab): Promise<void> {
+  await explore(lab);
+  await lab.page.getByRole("button", { name: "Draw…" }).click();
+  await expect(lab.page.getByRole("button", { name: "Draw a wall" })).toBeVisible();
+}
+
+async function explore(lab: Lab): Promise<void> {
+  const labs = lab.page.getByRole("navigation", { name: "Labs" });
+  await labs.getByRole("button", { name: "Explore" }).click();
+  await expect(lab.status).toContainText("Lab Explore opened");
 }
 
 async function refuse(lab: Lab): Promise<void> {

@@ -146,10 +146,15 @@ export class Hands implements SceneHands {
   }
 
   clickBeside(pixel: Pixel): void {
-    const floor = this.drawing() && this.#floorUnder(pixel, false);
-    if (floor) this.#sketch.press(floor, this.#top());
+    if (this.drawing()) this.#pressFloor(pixel);
     else if (this.tool() === "destination") this.sendTo(pixel);
     else if (this.tool() === "move") this.select([]);
+  }
+
+  #pressFloor(pixel: Pixel): void {
+    const floor = this.#floorUnder(pixel, false);
+    if (floor) this.#sketch.press(floor, this.#top());
+    else this.#sketch.miss();
   }
 
   doubleClick(pixel: Pixel, thing: Thing | null): void {

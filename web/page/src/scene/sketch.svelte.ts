@@ -68,10 +68,16 @@ export class Sketch {
     this.#session.preview(made.what, made.scenario);
   }
 
+  /** Nothing was drawn where the floor is not seen: one can try again. */
   finish(): void {
     const handle = this.#handle;
+    if (handle === null) return this.miss();
     this.stop();
-    if (this.#session.commit() && handle !== null) this.#session.selected = [handle];
+    if (this.#session.commit()) this.#session.selected = [handle];
+  }
+
+  miss(): void {
+    this.#session.announcement = "The floor is not seen there: look from above.";
   }
 
   /** Takes a drag back and waits for another one. */
