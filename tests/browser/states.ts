@@ -64,6 +64,8 @@ async function showHandles(lab: Lab): Promise<void> {
     await placement.getByRole("button", { name }).click();
   const availability = await lab.openGroup("Range availability");
   await availability.getByRole("button", { name: "Add a wall" }).click();
+  const close = lab.page.getByRole("button", { name: "Close", exact: true });
+  if (await close.isVisible()) await close.click();
   await lab.surface.focus();
   for (let i = 0; i < 5; i++) await lab.page.keyboard.press("p");
   await expect(lab.page.getByRole("group", { name: "Selected handle" })).toBeVisible();

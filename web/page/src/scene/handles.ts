@@ -3,6 +3,7 @@ import type { Thing } from "../state/things";
 import { anchorPoints, chosenMark } from "./anchors";
 import type { Frame } from "./frame";
 import { lift, type Vec3 } from "./geometry";
+import type { Box } from "./labels";
 import type { Label, Layer, SceneInput } from "./input";
 
 const RADIUS = 4.5;
@@ -35,6 +36,15 @@ export const handles: Layer = (input, out) => {
     chosenMark(input, handle.id, point, RADIUS, out);
   }
 };
+
+/** What no text may cover. */
+export function handleBoxes({ handles, frame, view }: SceneInput): Box[] {
+  const half = RADIUS + HALO;
+  return handles
+    .map((handle) => view.project(pointOf(handle, frame)))
+    .filter(({ depth }) => depth > 0)
+    .map(({ x, y }) => ({ x, y, halfWidth: half, halfHeight: half }));
+}
 
 /** The handles that one deals with, by their names. */
 export function handleLabels({ handles, frame, selected, hovered }: SceneInput): Label[] {

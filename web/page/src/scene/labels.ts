@@ -22,6 +22,8 @@ const SIZE = { anchor: 1.05, handle: 0.85, axis: 0.95, name: 0.8, tick: 0.8 } as
 const CHARACTER_WIDTH = 0.58;
 /** CSS pixels from a point to the nearest edge of its text, and what no text may cover around a point. */
 const GAP = 7;
+/** The same for names of large things, where there is no place so near. */
+const FARTHER = 22;
 /** Directions from the point to the middle of the text, best first. */
 const SIDES: readonly (readonly [number, number])[] = [
   [1, -1],
@@ -82,7 +84,8 @@ function candidates(label: Label, point: Pixel, fontSize: number): Box[] {
   const box = (dx: number, dy: number) => ({ x: point.x + dx, y: point.y + dy, halfWidth, halfHeight });
   const own = label.offset ? [box(label.offset.x, label.offset.y)] : [];
   if (label.kind === "tick") return own;
-  return [...own, ...SIDES.map(([x, y]) => box(x * (halfWidth + GAP), y * (halfHeight + GAP)))];
+  const ring = (gap: number) => SIDES.map(([x, y]) => box(x * (halfWidth + gap), y * (halfHeight + gap)));
+  return [...own, ...ring(GAP), ...(label.kind === "name" ? ring(FARTHER) : [])];
 }
 
 function inside({ x, y, halfWidth, halfHeight }: Box, { viewport }: View): boolean {
