@@ -22,7 +22,7 @@ const SIZE = { anchor: 1.05, handle: 0.85, axis: 0.95, name: 0.8, tick: 0.8 } as
 const CHARACTER_WIDTH = 0.58;
 /** CSS pixels from a point to the nearest edge of its text, and what no text may cover around a point. */
 const GAP = 7;
-/** The same for names of large things, where there is no place so near. */
+/** The same where there is no place so near. */
 const FARTHER = 22;
 /** Directions from the point to the middle of the text, best first. */
 const SIDES: readonly (readonly [number, number])[] = [
@@ -39,7 +39,7 @@ const SIDES: readonly (readonly [number, number])[] = [
 /**
  * Finds a place for each label beside its point where it lies on no other label and on no named point. One that has
  * a place keeps it from picture to picture as long as it is free; one without a free place is left out, but anchors
- * always have their number.
+ * always have their number, and what is chosen its name.
  */
 export class LabelPlacer {
   #sides = new Map<string, number>();
@@ -65,7 +65,7 @@ export class LabelPlacer {
       const free = order.find(
         (side) => inside(boxes[side], view) && !taken.some((box) => overlap(box, boxes[side])),
       );
-      const side = free ?? (label.kind === "anchor" ? 0 : undefined);
+      const side = free ?? (label.kind === "anchor" || label.strong ? 0 : undefined);
       if (side === undefined) continue;
       const { x, y } = boxes[side];
       sides.set(label.id, side);
@@ -85,7 +85,7 @@ function candidates(label: Label, point: Pixel, fontSize: number): Box[] {
   const own = label.offset ? [box(label.offset.x, label.offset.y)] : [];
   if (label.kind === "tick") return own;
   const ring = (gap: number) => SIDES.map(([x, y]) => box(x * (halfWidth + gap), y * (halfHeight + gap)));
-  return [...own, ...ring(GAP), ...(label.kind === "name" ? ring(FARTHER) : [])];
+  return [...own, ...ring(GAP), ...(label.kind === "axis" ? [] : ring(FARTHER))];
 }
 
 function inside({ x, y, halfWidth, halfHeight }: Box, { viewport }: View): boolean {
