@@ -1,4 +1,4 @@
-import { preset, presets } from "../../engine";
+import { exploreModule, preset, presets } from "../../engine";
 import type { Lab } from "../../lab";
 import { axisLabels } from "../../rigid-body/layers";
 import { anchorLabels, anchors } from "../../scene/anchors";
@@ -21,6 +21,7 @@ export const lab: Lab<ExploreRun> = {
   title: "Explore",
   order: 2,
   family: "rigid body",
+  load: () => exploreModule.load(),
   presets,
   preset,
   firstPreset: "room",
