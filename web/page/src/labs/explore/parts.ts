@@ -83,8 +83,8 @@ export function obstacleBoxPart(index: number): Part<Region> {
 /** The boxes that limit where the body and the anchors may be. */
 export function placementParts({ placement }: Scenario): Part<Region>[] {
   return [
-    ...(placement.limits ? [limitsPart()] : []),
     ...(placement.region ? [regionPart()] : []),
+    ...(placement.limits ? [limitsPart()] : []),
     ...placement.keep_out.map((_, index) => keepOutPart(index)),
   ];
 }
