@@ -6,7 +6,6 @@ mod fingerprint;
 
 use fingerprint::geometry_fingerprints;
 use rangelab::model::presets::preset;
-use rangelab::model::scenario::Scenario;
 use rangelab_explore::{
     advise, explore, field_layout, field_parameters, field_probe, field_program, field_rows, improve,
     mounting_cloud, size_curve,

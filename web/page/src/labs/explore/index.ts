@@ -2,12 +2,15 @@ import { exploreModule, preset, presets } from "../../engine";
 import type { Lab } from "../../lab";
 import { axisLabels } from "../../rigid-body/layers";
 import { anchorLabels, anchors } from "../../scene/anchors";
+import { handleLabels, handles as handleMarks } from "../../scene/handles";
 import { ground, groundLabels } from "../../scene/ground";
 import Controls from "./controls/Panel.svelte";
+import { drawings } from "./drawings";
 import { fields, picture } from "./fields";
+import { handles } from "./handles";
 import { body, bounds, contourLabels, contours, ghosts, mounting, ranges, reading, twin } from "./layers";
 import { nextLabels, nextMark } from "./next-layers";
-import { boxes, boxLabels, downhill } from "./placement-layers";
+import { boxes, downhill, partLabels } from "./placement-layers";
 import { obstacles } from "./obstacles";
 import Readout from "./Readout.svelte";
 import { type ExploreRun, runOf } from "./run";
@@ -28,6 +31,7 @@ export const lab: Lab<ExploreRun> = {
     fields.show(scenario);
     return run;
   },
+  shows: "Anchors, body and the field of its bound in space",
   layers: [
     ground,
     contours,
@@ -41,15 +45,19 @@ export const lab: Lab<ExploreRun> = {
     twin,
     reading,
     nextMark,
+    handleMarks,
     anchors,
     downhill,
   ],
   field: picture,
+  handles,
+  drawings,
   labels: (input) => [
     ...anchorLabels(input),
+    ...handleLabels(input),
     ...(input.run ? axisLabels(input, input.run) : []),
     ...nextLabels(input),
-    ...boxLabels(input),
+    ...partLabels(input),
     ...contourLabels(input),
     ...groundLabels(input),
   ],
