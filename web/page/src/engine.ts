@@ -121,6 +121,11 @@ export function fieldProbe(scenario: Scenario, point: readonly number[]): PointB
   return JSON.parse(guarded(() => estimators.field_probe(JSON.stringify(scenario), at)));
 }
 
+/** The bound on the orientation (rad, NaN where there is none) of the body made so many times larger. */
+export function sizeCurve(scenario: Scenario, scales: Float64Array): Float64Array {
+  return guarded(() => estimators.size_curve(JSON.stringify(scenario), scales));
+}
+
 /** What the anchors are worth to `placement`, and how that changes with the place of each. Throws a sentence. */
 export function advise(scenario: Scenario): Advice {
   return JSON.parse(guarded(() => estimators.advise(JSON.stringify(scenario))));

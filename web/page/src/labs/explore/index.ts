@@ -4,12 +4,14 @@ import { axisLabels } from "../../rigid-body/layers";
 import { anchorLabels, anchors } from "../../scene/anchors";
 import { ground, groundLabels } from "../../scene/ground";
 import Controls from "./controls/Panel.svelte";
+import Designer from "./designer/Designer.svelte";
 import { fields, picture } from "./fields";
 import { body, bounds, contourLabels, contours, ghosts, ranges, reading, twin } from "./layers";
 import { boxes, boxLabels, downhill } from "./placement-layers";
 import { obstacles } from "./obstacles";
 import Readout from "./Readout.svelte";
 import { type ExploreRun, runOf } from "./run";
+import { sizePlot } from "./size-plot";
 import { describe, note, told } from "./told";
 
 /** Where anchors should stand: the bound as a landscape, and what the geometry cannot see. */
@@ -50,8 +52,10 @@ export const lab: Lab<ExploreRun> = {
   ],
   note,
   told,
+  plots: (scenario) => [sizePlot(scenario)],
   marks: () => [],
   describe,
+  Bench: Designer,
   Controls,
   Readout,
 };
