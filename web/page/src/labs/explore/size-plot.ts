@@ -30,7 +30,7 @@ export function sizePlot(scenario: Scenario): PlotSpec {
   const used = lines.find(({ name }) => name === scenario.field.form) ?? lines[0];
   return {
     name: "size",
-    title: "Orientation bound against body size",
+    title: "Orientation bound by size",
     shortTitle: "Body size",
     unit: "deg",
     x: { name: "size", unit: "m", values: sizes, scale: "log", now: size },
@@ -71,9 +71,10 @@ function boundInDegrees(scenario: Scenario, sizes: Float64Array): Float64Array {
 export function sentence(sizes: Float64Array, bounds: Float64Array): string {
   const slope = Math.log(bounds[1] / bounds[0]) / Math.log(sizes[1] / sizes[0]);
   if (!Number.isFinite(slope)) return "No size lets these sensors see every rotation.";
-  const halves = Math.abs(slope + 1) < SLOPE_TOLERANCE ? ": twice the size halves the bound" : "";
+  const halves = Math.abs(slope + 1) < SLOPE_TOLERANCE ? " (size\u00a0×\u00a02, bound\u00a0÷\u00a02)" : "";
   const needed = sizeFor(1, sizes, bounds);
-  const reached = needed === null ? "1 deg is not reached" : `1 deg from ${formatReading(needed)} m on`;
+  const reached =
+    needed === null ? "1 deg is not reached" : `1\u00a0deg from ${formatReading(needed)}\u00a0m`;
   return `Small bodies: slope ${formatNumber(Number(slope.toFixed(2)))}${halves}. ${reached}.`;
 }
 

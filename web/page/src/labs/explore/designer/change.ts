@@ -12,12 +12,12 @@ const SAME = 5e-4;
 /** "14 % better": how a bound is now against before. */
 export function compared(now: number | null, before: number | null): string {
   if (now === null) return before === null ? "none" : "lost";
-  if (before === null) return "now there is one";
+  if (before === null) return "new";
   const share = Math.abs(now / before - 1);
   if (share < SAME) return "the same";
   const digits = share < 0.095 ? 1 : 0;
   // So much larger a bound is told as a factor: percentages of that size say nothing.
-  if (now >= 3 * before) return `${formatReading(now / before)} times worse`;
+  if (now >= 3 * before) return `${formatReading(now / before)} × worse`;
   return `${(100 * share).toFixed(digits)} % ${now < before ? "better" : "worse"}`;
 }
 
@@ -25,15 +25,14 @@ export interface BoundRow {
   readonly name: "orientation" | "position";
   readonly unit: string;
   readonly now: string;
-  readonly before: string;
   readonly change: string;
 }
 
 /** Both bounds as the read-out shows them; without `before` nothing is compared. */
 export function boundRows(now: Bounds, before: Bounds | null): BoundRow[] {
   return [
-    row("orientation", "deg", DEGREES_PER_RADIAN, now.angle_sigma, before && before.angle_sigma, before),
-    row("position", "m", 1, now.position_sigma, before && before.position_sigma, before),
+    row("orientation", "deg", DEGREES_PER_RADIAN, now.angle_sigma, before && { value: before.angle_sigma }),
+    row("position", "m", 1, now.position_sigma, before && { value: before.position_sigma }),
   ];
 }
 
@@ -42,12 +41,10 @@ function row(
   unit: string,
   factor: number,
   now: number | null,
-  earlier: number | null,
-  before: Bounds | null,
+  before: { value: number | null } | null,
 ): BoundRow {
-  const shown = (value: number | null) => formatReading(value === null ? null : value * factor);
-  const change = before === null ? "" : compared(now, earlier);
-  return { name, unit, now: shown(now), before: before === null ? "" : shown(earlier), change };
+  const shown = formatReading(now === null ? null : now * factor);
+  return { name, unit, now: shown, change: before ? compared(now, before.value) : "" };
 }
 
 /** "Orientation bound 1.21 deg, 14 % better; position bound 0.0120 m, the same." */

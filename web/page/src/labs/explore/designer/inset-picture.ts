@@ -14,7 +14,6 @@ export interface AxisArrow {
 /** An axis that is seen end on has no arrow. */
 const LEAST_ARROW = 14;
 const LETTER_GAP = 9;
-const NUMBER_GAP = 15;
 
 export function axisArrows(view: View, dimension: number, length: number): AxisArrow[] {
   const origin = view.project([0, 0, 0]);
@@ -31,12 +30,12 @@ function unit(axis: number): Vec3 {
 }
 
 /** A number stands outward of its sensor; over the origin it stands to the upper right. */
-export function numberPlace(view: View, sensor: Pixel): Pixel {
+export function numberPlace(view: View, sensor: Pixel, gap: number): Pixel {
   const origin = view.project([0, 0, 0]);
   const away = Math.hypot(sensor.x - origin.x, sensor.y - origin.y);
   return away > 1
-    ? beyond(origin, sensor, NUMBER_GAP)
-    : { x: sensor.x + NUMBER_GAP / 1.4, y: sensor.y - NUMBER_GAP / 1.4 };
+    ? beyond(origin, sensor, gap)
+    : { x: sensor.x + gap / Math.SQRT2, y: sensor.y - gap / Math.SQRT2 };
 }
 
 function beyond(from: Pixel, to: Pixel, pixels: number): Pixel {
