@@ -9,7 +9,7 @@ beforeAll(loadEngineForTests);
 
 describe("the sizes", () => {
   test("go over whole decades of the scene, with the body's own among them", () => {
-    const sizes = sizesAround(0.3, 7);
+    const sizes = sizesAround(0.3, 7, 12);
     expect([sizes[0], sizes[sizes.length - 1]].map((size) => Number(size.toPrecision(9)))).toEqual([
       0.01, 10,
     ]);
@@ -18,13 +18,13 @@ describe("the sizes", () => {
   });
 
   test("hold a body that is smaller or larger than the scene has need of", () => {
-    expect(sizesAround(0.0004, 7)[0]).toBeCloseTo(0.0001, 12);
-    expect(sizesAround(300, 7).at(-1)).toBeCloseTo(1000, 9);
-    expect(sizesAround(0, 7)).toHaveLength(37);
+    expect(sizesAround(0.0004, 7, 12)[0]).toBeCloseTo(0.0001, 12);
+    expect(sizesAround(300, 7, 12).at(-1)).toBeCloseTo(1000, 9);
+    expect(sizesAround(0, 7, 12)).toHaveLength(37);
   });
 
   test("have the body's own once where it is one of them anyway", () => {
-    const sizes = sizesAround(0.1, 7);
+    const sizes = sizesAround(0.1, 7, 12);
     expect(sizes).toHaveLength(37);
     expect(new Set(sizes).size).toBe(37);
   });

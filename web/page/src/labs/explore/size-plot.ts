@@ -14,12 +14,17 @@ const FORMS: readonly { form: RangeForm; dash: readonly number[] }[] = [
 /** From a thousandth of the scene to all of it. */
 const DECADES = 3;
 const POINTS_PER_DECADE = 12;
+/** With more ranges than this a point takes so long that a drag would stutter: then there are fewer of them. */
+const MANY_RANGES = 2000;
+const FEWER_PER_DECADE = 3;
 /** Slopes nearer than this to -1 are that of small bodies. */
 const SLOPE_TOLERANCE = 0.02;
 
 export function sizePlot(scenario: Scenario): PlotSpec {
   const size = sizeOf(scenario.sensors);
-  const sizes = sizesAround(size, extentOf(scenario.anchors));
+  const many = scenario.anchors.length * scenario.sensors.length > MANY_RANGES;
+  const perDecade = many ? FEWER_PER_DECADE : POINTS_PER_DECADE;
+  const sizes = sizesAround(size, extentOf(scenario.anchors), perDecade);
   const bound = (form: RangeForm) =>
     boundInDegrees({ ...scenario, field: { ...scenario.field, form } }, sizes);
   const lines = FORMS.map(({ form, dash }): PlotLine => {
@@ -43,12 +48,12 @@ export function sizePlot(scenario: Scenario): PlotSpec {
 }
 
 /** Even steps on a logarithmic scale that hold the size itself, over whole decades of the scene. */
-export function sizesAround(size: number, extent: number): Float64Array {
+export function sizesAround(size: number, extent: number, perDecade: number): Float64Array {
   const top = Math.ceil(Math.log10(extent) - 1e-9);
   const own = size > 0 ? Math.log10(size) : top;
   const [low, high] = [Math.min(top - DECADES, Math.floor(own)), Math.max(top, Math.ceil(own))];
-  const count = (high - low) * POINTS_PER_DECADE;
-  const steps = Array.from({ length: count + 1 }, (_, k) => 10 ** (low + k / POINTS_PER_DECADE));
+  const count = (high - low) * perDecade;
+  const steps = Array.from({ length: count + 1 }, (_, k) => 10 ** (low + k / perDecade));
   const others = steps.filter((step) => Math.abs(Math.log(step / size)) > 1e-6);
   return Float64Array.from(size > 0 ? [...others, size] : steps).sort();
 }
