@@ -42,6 +42,8 @@ export interface Lab<R extends LabRun = LabRun> {
   readonly order: number;
   /** Labs of one family can show each other's scenes: going from one to another keeps the scene. */
   readonly family?: string;
+  /** Brings what the lab needs besides the page itself; a lab without it is there at once. It can be asked for again. */
+  load?(): Promise<void>;
   presets(): readonly Preset[];
   preset(name: string): Scenario;
   /** What opens without a link. */

@@ -1,4 +1,4 @@
-import { preset, presets } from "../../engine";
+import { exploreModule, preset, presets } from "../../engine";
 import type { Lab } from "../../lab";
 import { axisLabels } from "../../rigid-body/layers";
 import { anchorLabels, anchors } from "../../scene/anchors";
@@ -20,6 +20,7 @@ export const lab: Lab<ExploreRun> = {
   title: "Explore",
   order: 2,
   family: "rigid body",
+  load: () => exploreModule.load(),
   presets,
   preset,
   firstPreset: "room",
@@ -52,7 +53,7 @@ export const lab: Lab<ExploreRun> = {
   ],
   note,
   told,
-  plots: (scenario) => [sizePlot(scenario)],
+  plots: ({ field }, { sizes }) => [sizePlot(sizes, field.form)],
   marks: () => [],
   describe,
   Bench: Designer,

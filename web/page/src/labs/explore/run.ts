@@ -3,11 +3,13 @@ import type { Advice } from "../../generated/Advice";
 import type { Exploration } from "../../generated/Exploration";
 import type { LabRun } from "../../lab";
 import type { Scenario } from "../../scenario";
+import { type SizeCurves, sizeCurves } from "./size-curves";
 
 /** One moment: what its ranges show of the pose that the body starts in. */
 export interface ExploreRun extends LabRun {
   readonly exploration: Exploration;
   readonly advice: Advice;
+  readonly sizes: SizeCurves;
 }
 
 export function runOf(scenario: Scenario): ExploreRun {
@@ -23,6 +25,7 @@ export function runOf(scenario: Scenario): ExploreRun {
     },
     exploration: explore(scenario),
     advice: adviceOn(scenario),
+    sizes: sizeCurves(scenario),
   };
 }
 

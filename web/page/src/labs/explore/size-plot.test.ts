@@ -1,11 +1,15 @@
 import { beforeAll, describe, expect, test } from "vitest";
 import { DEGREES_PER_RADIAN } from "../../controls/format";
 import { explore, preset } from "../../engine";
-import { loadEngineForTests } from "../../engine.testing";
+import { loadEngineForTests } from "../../engine/testing";
+import type { Scenario } from "../../scenario";
 import { scaled, sizeOf } from "../../rigid-body/topologies";
-import { sentence, sizeFor, sizePlot, sizesAround } from "./size-plot";
+import { sizeCurves, sizesAround } from "./size-curves";
+import { sentence, sizeFor, sizePlot } from "./size-plot";
 
 beforeAll(loadEngineForTests);
+
+const plotOf = (scenario: Scenario) => sizePlot(sizeCurves(scenario), scenario.field.form);
 
 describe("the sizes", () => {
   test("go over whole decades of the scene, with the body's own among them", () => {
@@ -33,7 +37,7 @@ describe("the sizes", () => {
 describe("the curve", () => {
   test("is the bound of the body made that large", () => {
     const scenario = preset("room");
-    const { x, lines } = sizePlot(scenario);
+    const { x, lines } = plotOf(scenario);
     const [projected, raw] = lines;
     for (const [form, line] of [["projected", projected] as const, ["raw", raw] as const])
       for (const point of [0, 17, x.values.length - 1]) {
@@ -48,7 +52,7 @@ describe("the curve", () => {
 
   test("marks the body as it is, whose bound is that of the read-out", () => {
     const scenario = preset("room");
-    const { x, lines } = sizePlot(scenario);
+    const { x, lines } = plotOf(scenario);
     expect(x.now).toBe(sizeOf(scenario.sensors));
     const line = lines.find(({ name }) => name === scenario.field.form);
     const own = line?.values[x.values.indexOf(x.now ?? 0)] ?? NaN;
@@ -58,8 +62,8 @@ describe("the curve", () => {
   test("is empty with a reason for a rod and for a single sensor", () => {
     const scenario = preset("room");
     const rod = { ...scenario, sensors: [[-0.1, 0, 0], [0, 0, 0], [0.2, 0, 0]] }; // prettier-ignore
-    expect(sizePlot(rod).note).toBe("No size lets these sensors see every rotation.");
-    const single = sizePlot({ ...scenario, sensors: [[0.1, 0, 0]] });
+    expect(plotOf(rod).note).toBe("No size lets these sensors see every rotation.");
+    const single = plotOf({ ...scenario, sensors: [[0.1, 0, 0]] });
     expect(single.note).toBe("A single sensor has no size.");
     expect(single.lines.every((line) => line.values.every(Number.isNaN))).toBe(true);
   });

@@ -1,38 +1,24 @@
-import { DEGREES_PER_RADIAN, formatNumber, formatReading } from "../../controls/format";
-import { sizeCurve } from "../../engine";
+import { formatNumber, formatReading } from "../../controls/format";
 import type { RangeForm } from "../../generated/RangeForm";
 import type { PlotLine, PlotSpec } from "../../plots/spec";
-import { sizeOf } from "../../rigid-body/topologies";
-import type { Scenario } from "../../scenario";
+import type { SizeCurves } from "./size-curves";
 
-/** The bound on the orientation against the size of the body: how large it must be. */
+/** How large the body must be for what orientation, as a plot. */
 
 const FORMS: readonly { form: RangeForm; dash: readonly number[] }[] = [
   { form: "projected", dash: [7, 4] },
   { form: "raw", dash: [10, 3, 2, 3] },
 ];
-/** From a thousandth of the scene to all of it. */
-const DECADES = 3;
-const POINTS_PER_DECADE = 12;
-/** With more ranges than this a point takes so long that a drag would stutter: then there are fewer of them. */
-const MANY_RANGES = 2000;
-const FEWER_PER_DECADE = 3;
 /** Slopes nearer than this to -1 are that of small bodies. */
 const SLOPE_TOLERANCE = 0.02;
 
-export function sizePlot(scenario: Scenario): PlotSpec {
-  const size = sizeOf(scenario.sensors);
-  const many = scenario.anchors.length * scenario.sensors.length > MANY_RANGES;
-  const perDecade = many ? FEWER_PER_DECADE : POINTS_PER_DECADE;
-  const sizes = sizesAround(size, extentOf(scenario.anchors), perDecade);
-  const bound = (form: RangeForm) =>
-    boundInDegrees({ ...scenario, field: { ...scenario.field, form } }, sizes);
-  const lines = FORMS.map(({ form, dash }): PlotLine => {
-    const label = `${form} ranges`;
-    const values = size > 0 ? bound(form) : new Float64Array(sizes.length).fill(NaN);
-    return { name: form, label, token: "bound", mark: null, dash, values, standardErrors: null, events: [] };
+/** `form` is the one whose slope is told. */
+export function sizePlot(curves: SizeCurves, form: RangeForm): PlotSpec {
+  const { size, sizes } = curves;
+  const lines = FORMS.map(({ form: name, dash }): PlotLine => {
+    const look = { label: `${name} ranges`, token: "bound", mark: null, dash };
+    return { name, ...look, values: curves[name], standardErrors: null, events: [] };
   });
-  const used = lines.find(({ name }) => name === scenario.field.form) ?? lines[0];
   return {
     name: "size",
     title: "Orientation bound by size",
@@ -43,33 +29,8 @@ export function sizePlot(scenario: Scenario): PlotSpec {
     bands: [],
     threshold: null,
     scale: "log",
-    note: size > 0 ? sentence(sizes, used.values) : "A single sensor has no size.",
+    note: size > 0 ? sentence(sizes, curves[form]) : "A single sensor has no size.",
   };
-}
-
-/** Even steps on a logarithmic scale that hold the size itself, over whole decades of the scene. */
-export function sizesAround(size: number, extent: number, perDecade: number): Float64Array {
-  const top = Math.ceil(Math.log10(extent) - 1e-9);
-  const own = size > 0 ? Math.log10(size) : top;
-  const [low, high] = [Math.min(top - DECADES, Math.floor(own)), Math.max(top, Math.ceil(own))];
-  const count = (high - low) * perDecade;
-  const steps = Array.from({ length: count + 1 }, (_, k) => 10 ** (low + k / perDecade));
-  const others = steps.filter((step) => Math.abs(Math.log(step / size)) > 1e-6);
-  return Float64Array.from(size > 0 ? [...others, size] : steps).sort();
-}
-
-function extentOf(anchors: Scenario["anchors"]): number {
-  const sides = anchors[0].map((_, axis) => {
-    const values = anchors.map((anchor) => anchor[axis]);
-    return Math.max(...values) - Math.min(...values);
-  });
-  return Math.max(...sides) || 1;
-}
-
-function boundInDegrees(scenario: Scenario, sizes: Float64Array): Float64Array {
-  const size = sizeOf(scenario.sensors);
-  const scales = sizes.map((value) => value / size);
-  return sizeCurve(scenario, scales).map((bound) => bound * DEGREES_PER_RADIAN);
 }
 
 /** How the bound falls while bodies are small, and from which size on one degree is reached. */

@@ -34,7 +34,7 @@ export function reachOf(sensors: Sensors): number {
 
 export function bodyView(direction: Direction, reach: number, viewport: Viewport): View {
   const { width, height } = viewport;
-  const distance = (reach * height) / Math.max(1, Math.min(width, height)) / halfHeight(1);
+  const distance = (reach * height) / Math.min(width, height) / halfHeight(1);
   const camera: Camera = { ...direction, target: [0, 0, 0], distance };
   return new View(camera, viewport);
 }

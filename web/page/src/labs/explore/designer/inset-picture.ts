@@ -58,14 +58,12 @@ export interface Outline {
   readonly faces: string;
 }
 
-/** A dot for each point of a cloud (D numbers each): strokes of no length with round ends. */
-export function dotsOf(view: View, cloud: Float64Array, dimension: number): string {
-  let path = "";
-  for (let k = 0; k < cloud.length; k += dimension) {
-    const { x, y } = view.project(lift(cloud.subarray(k, k + dimension)));
-    path += `M${round(x)} ${round(y)}h0`;
-  }
-  return path;
+/** A dot for each point: strokes of no length with round ends. */
+export function dotsOf(view: View, points: readonly Vec3[]): string {
+  return points
+    .map((point) => view.project(point))
+    .map(({ x, y }) => `M${round(x)} ${round(y)}h0`)
+    .join("");
 }
 
 /** Lines with round distances along both edges, for views along an axis; the origin is on two of them. */

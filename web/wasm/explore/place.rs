@@ -1,9 +1,8 @@
 //! Where anchors should stand: the value of a placement, its slope, and a better one.
 
 use rangelab::model::scenario::Scenario;
+use rangelab_wasm_shared::json;
 use wasm_bindgen::prelude::*;
-
-use crate::json;
 
 /// What the anchors of a scenario (JSON) are worth and how that changes with the place of each: the JSON of the crate's
 /// `Advice`.

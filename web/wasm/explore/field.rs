@@ -5,9 +5,8 @@ use rangelab::bounds::size::orientation_against_size;
 use rangelab::model::scenario::Scenario;
 use rangelab::study::exploration;
 use rangelab::with_dimension;
+use rangelab_wasm_shared::json;
 use wasm_bindgen::prelude::*;
-
-use crate::json;
 
 /// What the geometry of a scenario (JSON) can and cannot see at the pose its body starts from: the JSON of the crate's
 /// `Exploration`.
