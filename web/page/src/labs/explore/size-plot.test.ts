@@ -74,11 +74,11 @@ describe("what is told of it", () => {
 
   test("names the slope of small bodies and the size for one degree", () => {
     expect(sentence(sizes, Float64Array.of(20, 2, 0.2))).toBe(
-      "Small bodies: slope −1 (size\u00a0×\u00a02, bound\u00a0÷\u00a02). 1\u00a0deg from 2.00\u00a0m.",
+      "Small bodies: slope −1 (∝\u00a01/size). 1\u00a0deg from 2.00\u00a0m.",
     );
   });
 
-  test("claims no halving of another slope, nor a size that is not there", () => {
+  test("says no inverse size of another slope, nor a size that is not there", () => {
     const told = sentence(sizes, Float64Array.of(200, 63.2, 40));
     expect(told).toBe("Small bodies: slope −0.5. 1 deg is not reached.");
   });

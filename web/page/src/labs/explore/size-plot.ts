@@ -37,11 +37,11 @@ export function sizePlot(curves: SizeCurves, form: RangeForm): PlotSpec {
 export function sentence(sizes: Float64Array, bounds: Float64Array): string {
   const slope = Math.log(bounds[1] / bounds[0]) / Math.log(sizes[1] / sizes[0]);
   if (!Number.isFinite(slope)) return "No size lets these sensors see every rotation.";
-  const halves = Math.abs(slope + 1) < SLOPE_TOLERANCE ? " (size\u00a0×\u00a02, bound\u00a0÷\u00a02)" : "";
+  const inverse = Math.abs(slope + 1) < SLOPE_TOLERANCE ? " (∝\u00a01/size)" : "";
   const needed = sizeFor(1, sizes, bounds);
   const reached =
     needed === null ? "1 deg is not reached" : `1\u00a0deg from ${formatReading(needed)}\u00a0m`;
-  return `Small bodies: slope ${formatNumber(Number(slope.toFixed(2)))}${halves}. ${reached}.`;
+  return `Small bodies: slope ${formatNumber(Number(slope.toFixed(2)))}${inverse}. ${reached}.`;
 }
 
 /** The least size at which the bound is no larger than `wanted`, between the points on a straight line of logarithms. */
