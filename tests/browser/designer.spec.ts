@@ -180,7 +180,7 @@ test("the bodies with a name are one choice away, in the size that the body has"
 test("the curve against the size has its table and its numbers by keyboard", async ({ page }) => {
   const lab = await openDesigner(page);
   const plot = lab.plot("Orientation bound by size");
-  await expect(plot).toContainText(/slope −1 .*1.deg from [\d.]+.m/);
+  await expect(plot).toContainText(/slope −1 .*size.*1.deg from [\d.]+.m/);
   await plot.getByRole("slider").focus();
   const reader = plot.getByRole("slider");
   const [angle] = await bounds(page);
@@ -220,6 +220,32 @@ test("the files of the curve have its axis", async ({ page }) => {
     expect(drawing).toContain(text);
   expect(drawing).not.toMatch(/NaN|Infinity/);
   expect((await save("PNG")).slice(1, 4)).toBe("PNG");
+});
+
+test("mounting errors are clouds around the sensors, as wide as they are large", async ({ page }) => {
+  const lab = await openDesigner(page);
+  const cloud = inset(page).locator(".cloud");
+  const heights = async () => {
+    const dots = [...((await cloud.getAttribute("d")) ?? "").matchAll(/M([\d.-]+) ([\d.-]+)h0/g)];
+    return dots.map((match) => Number(match[2]));
+  };
+  expect(await heights()).toEqual([]);
+  await designer(page).getByRole("button", { name: "front" }).click();
+  await lab.openGroup("Sensors on the body");
+  await lab.type("Mounting error σ_e", "0.005");
+  await expect.poll(async () => (await heights()).length).toBe(5 * 48);
+  const { y } = await pixelOf(page, 5);
+  const top = ((await inset(page).boundingBox())?.y ?? 0) - y;
+  // Sensor by sensor within a trial: every fifth dot is of the last one.
+  const spread = async () => {
+    const off = (await heights()).filter((_, index) => index % 5 === 4).map((height) => height + top);
+    return Math.hypot(...off) / Math.sqrt(off.length);
+  };
+  const narrow = await spread();
+  await lab.type("Mounting error σ_e", "0.02");
+  // The same draws, four times as far from where the sensor is meant to be.
+  await expect.poll(async () => (await spread()) / narrow).toBeGreaterThan(3.5);
+  expect((await spread()) / narrow).toBeLessThan(4.5);
 });
 
 test("a finger drags a sensor on a phone", async ({ browser }) => {

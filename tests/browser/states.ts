@@ -44,7 +44,9 @@ export const STATES: readonly State[] = [
   { name: "fault told", prepare: fault },
   { name: "Explore", prepare: (lab) => explore(lab) },
   { name: "Explore, groups open", prepare: exploreOpen },
+  { name: "Explore, next anchor", prepare: exploreNext },
   { name: "Explore, coplanar", preset: "coplanar-ceiling", prepare: (lab) => explore(lab) },
+  { name: "Explore, sensor chosen", prepare: chooseSensor },
   { name: "Explore, planar", preset: "planar", prepare: (lab) => explore(lab) },
 ];
 
@@ -108,9 +110,23 @@ async function explore(lab: Lab): Promise<void> {
   await expect(lab.page.getByRole("table", { name: "Bounds of one epoch" })).toBeVisible();
 }
 
+async function chooseSensor(lab: Lab): Promise<void> {
+  await explore(lab);
+  await lab.openGroup("Sensors on the body");
+  await lab.type("Mounting error σ_e", "0.01");
+  await lab.page.getByRole("button", { name: /^Sensor 2 at/ }).focus();
+}
+
 async function exploreOpen(lab: Lab): Promise<void> {
   await explore(lab);
   await lab.openGroups();
+}
+
+async function exploreNext(lab: Lab): Promise<void> {
+  await explore(lab);
+  await lab.openSheet();
+  await lab.page.getByRole("combobox", { name: "Shows" }).selectOption("best next anchor");
+  await expect(lab.page.getByRole("table", { name: "One more anchor" })).toBeVisible();
 }
 
 async function openDialog(lab: Lab, button: string): Promise<void> {

@@ -6,7 +6,8 @@ import { ground, groundLabels } from "../../scene/ground";
 import Controls from "./controls/Panel.svelte";
 import Designer from "./designer/Designer.svelte";
 import { fields, picture } from "./fields";
-import { body, bounds, contourLabels, contours, ghosts, ranges, reading, twin } from "./layers";
+import { body, bounds, contourLabels, contours, ghosts, mounting, ranges, reading, twin } from "./layers";
+import { nextLabels, nextMark } from "./next-layers";
 import { boxes, boxLabels, downhill } from "./placement-layers";
 import { obstacles } from "./obstacles";
 import Readout from "./Readout.svelte";
@@ -36,10 +37,12 @@ export const lab: Lab<ExploreRun> = {
     boxes,
     ranges,
     bounds,
+    mounting,
     body,
     ghosts,
     twin,
     reading,
+    nextMark,
     anchors,
     downhill,
   ],
@@ -47,6 +50,7 @@ export const lab: Lab<ExploreRun> = {
   labels: (input) => [
     ...anchorLabels(input),
     ...(input.run ? axisLabels(input, input.run) : []),
+    ...nextLabels(input),
     ...boxLabels(input),
     ...contourLabels(input),
     ...groundLabels(input),
