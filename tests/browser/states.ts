@@ -46,6 +46,7 @@ export const STATES: readonly State[] = [
   { name: "Explore, groups open", prepare: exploreOpen },
   { name: "Explore, next anchor", prepare: exploreNext },
   { name: "Explore, coplanar", preset: "coplanar-ceiling", prepare: (lab) => explore(lab) },
+  { name: "Explore, sensor chosen", prepare: chooseSensor },
   { name: "Explore, planar", preset: "planar", prepare: (lab) => explore(lab) },
   { name: "Explore, handles", prepare: showHandles },
   { name: "Explore, drawings", prepare: openDrawings },
@@ -130,6 +131,13 @@ async function fault(lab: Lab): Promise<void> {
 async function explore(lab: Lab): Promise<void> {
   await lab.page.getByRole("navigation", { name: "Labs" }).getByRole("button", { name: "Explore" }).click();
   await expect(lab.page.getByRole("table", { name: "Bounds of one epoch" })).toBeVisible();
+}
+
+async function chooseSensor(lab: Lab): Promise<void> {
+  await explore(lab);
+  await lab.openGroup("Sensors on the body");
+  await lab.type("Mounting error σ_e", "0.01");
+  await lab.page.getByRole("button", { name: /^Sensor 2 at/ }).focus();
 }
 
 async function exploreOpen(lab: Lab): Promise<void> {

@@ -72,6 +72,8 @@ export interface Lab<R extends LabRun = LabRun> {
   marks(run: R): readonly TimelineMarks[];
   /** What the run shows at a step, in a few sentences. */
   describe(run: R, step: number): string;
+  /** What stands beside the plots, in their pane; a lab without it leaves them all the room. */
+  readonly Bench?: Component;
   readonly Controls: Component;
   readonly Readout: Component;
 }

@@ -6,6 +6,7 @@ import { handleLabels, handles as handleMarks } from "../../scene/handles";
 import { ground, groundLabels } from "../../scene/ground";
 import Controls from "./controls/Panel.svelte";
 import { drawings } from "./drawings";
+import Designer from "./designer/Designer.svelte";
 import { fields, picture } from "./fields";
 import { handles } from "./handles";
 import { body, bounds, contourLabels, contours, ghosts, mounting, ranges, reading, twin } from "./layers";
@@ -14,6 +15,7 @@ import { boxes, downhill, partLabels } from "./placement-layers";
 import { obstacles } from "./obstacles";
 import Readout from "./Readout.svelte";
 import { type ExploreRun, runOf } from "./run";
+import { sizePlot } from "./size-plot";
 import { describe, note, told } from "./told";
 
 /** Where anchors should stand: the bound as a landscape, and what the geometry cannot see. */
@@ -63,8 +65,10 @@ export const lab: Lab<ExploreRun> = {
   ],
   note,
   told,
+  plots: ({ field }, { sizes }) => [sizePlot(sizes, field.form)],
   marks: () => [],
   describe,
+  Bench: Designer,
   Controls,
   Readout,
 };
