@@ -3,6 +3,7 @@
 use rangelab::bounds::field::{FieldLayout, field_of, layout_of};
 use rangelab::bounds::size::orientation_against_size;
 use rangelab::model::scenario::Scenario;
+use rangelab::simulate::mounting;
 use rangelab::study::exploration;
 use rangelab::with_dimension;
 use rangelab_wasm_shared::json;
@@ -91,6 +92,21 @@ pub fn size_curve(scenario: &str, scales: &[f64]) -> Result<Vec<f64>, JsError> {
         orientation_against_size(&setup.model, &setup.availability, &setup.start, scenario.field.form, scales)
     })?;
     Ok(curve.into_iter().map(|bound| bound.unwrap_or(f64::NAN)).collect())
+}
+
+/// Where the sensors sit on the body in trials `0..trials`, in the body frame, m: trial by trial, sensor by sensor, D
+/// numbers each.
+///
+/// # Errors
+/// A sentence for a bad scenario or for more than a million places.
+#[wasm_bindgen]
+pub fn mounting_cloud(scenario: &str, trials: u32) -> Result<Vec<f64>, JsError> {
+    let scenario = Scenario::from_json(scenario)?;
+    let places = with_dimension!(scenario.dimension, D => {
+        let places = mounting::mounting_cloud::<D>(&scenario, u64::from(trials))?;
+        Ok(places.iter().flat_map(|place| place.iter().copied()).collect())
+    })?;
+    Ok(places)
 }
 
 fn layout(scenario: &Scenario, resolution: usize) -> rangelab::Result<FieldLayout> {

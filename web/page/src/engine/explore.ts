@@ -48,6 +48,16 @@ export function fieldProbe(scenario: Scenario, point: readonly number[]): PointB
   return JSON.parse(exploreModule.call(() => wasm.field_probe(JSON.stringify(scenario), at)));
 }
 
+/** The bound on the orientation (rad, NaN where there is none) of the body made so many times larger. */
+export function sizeCurve(scenario: Scenario, scales: Float64Array): Float64Array {
+  return exploreModule.call(() => wasm.size_curve(JSON.stringify(scenario), scales));
+}
+
+/** Where the sensors sit on the body in the first trials, m: trial by trial, sensor by sensor, D numbers each. */
+export function mountingCloud(scenario: Scenario, trials: number): Float64Array {
+  return exploreModule.call(() => wasm.mounting_cloud(JSON.stringify(scenario), trials));
+}
+
 /** What one more anchor would be worth at a point, D coordinates in m. Throws a sentence. */
 export function nextAt(scenario: Scenario, point: readonly number[]): NextPlace {
   const at = Float64Array.from(point);

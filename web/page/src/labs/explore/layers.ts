@@ -1,6 +1,7 @@
 import type { ExploreRun } from "./run";
-import { bodyRadius, drawnPosition, drawnSensors, hullOfSensors } from "../../rigid-body/drawn";
+import { bodyRadius, drawnPlaces, drawnPosition, drawnSensors, hullOfSensors } from "../../rigid-body/drawn";
 import { drawBody, drawRanges } from "../../rigid-body/layers";
+import { cloudOf } from "../../rigid-body/mounting";
 import { drawBoundFans, drawEllipsoid } from "../../rigid-body/uncertainty";
 import { matrixAt } from "../../run";
 import { add, lift, scale, sub, transform, type Vec3 } from "../../scene/geometry";
@@ -19,6 +20,15 @@ export const ranges: Layer<ExploreRun> = (input, out) => {
 
 export const body: Layer<ExploreRun> = (input, out) => {
   if (input.run) drawBody(input, input.run, out);
+};
+
+/** Where the sensors may sit on the body: a dot for each and each of some trials. */
+export const mounting: Layer<ExploreRun> = (input, out) => {
+  const { run, scenario, palette } = input;
+  if (!run) return;
+  const color = palette.rgba("truth", 0.5);
+  for (const place of drawnPlaces(input, run, run.truth, 0, cloudOf(scenario)))
+    out.point(place, 1.5, color, "disc");
 };
 
 /** The bounds of the pose: an ellipsoid of the position, fans of the axes. */
