@@ -44,6 +44,7 @@ export const STATES: readonly State[] = [
   { name: "fault told", prepare: fault },
   { name: "Explore", prepare: (lab) => explore(lab) },
   { name: "Explore, groups open", prepare: exploreOpen },
+  { name: "Explore, next anchor", prepare: exploreNext },
   { name: "Explore, coplanar", preset: "coplanar-ceiling", prepare: (lab) => explore(lab) },
   { name: "Explore, planar", preset: "planar", prepare: (lab) => explore(lab) },
   { name: "Explore, handles", prepare: showHandles },
@@ -134,6 +135,13 @@ async function explore(lab: Lab): Promise<void> {
 async function exploreOpen(lab: Lab): Promise<void> {
   await explore(lab);
   await lab.openGroups();
+}
+
+async function exploreNext(lab: Lab): Promise<void> {
+  await explore(lab);
+  await lab.openSheet();
+  await lab.page.getByRole("combobox", { name: "Shows" }).selectOption("best next anchor");
+  await expect(lab.page.getByRole("table", { name: "One more anchor" })).toBeVisible();
 }
 
 async function openDialog(lab: Lab, button: string): Promise<void> {

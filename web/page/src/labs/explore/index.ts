@@ -8,7 +8,8 @@ import Controls from "./controls/Panel.svelte";
 import { drawings } from "./drawings";
 import { fields, picture } from "./fields";
 import { handles } from "./handles";
-import { body, bounds, contourLabels, contours, ghosts, ranges, reading, twin } from "./layers";
+import { body, bounds, contourLabels, contours, ghosts, mounting, ranges, reading, twin } from "./layers";
+import { nextLabels, nextMark } from "./next-layers";
 import { boxes, downhill, partLabels } from "./placement-layers";
 import { obstacles } from "./obstacles";
 import Readout from "./Readout.svelte";
@@ -38,10 +39,12 @@ export const lab: Lab<ExploreRun> = {
     boxes,
     ranges,
     bounds,
+    mounting,
     body,
     ghosts,
     twin,
     reading,
+    nextMark,
     handleMarks,
     anchors,
     downhill,
@@ -53,6 +56,7 @@ export const lab: Lab<ExploreRun> = {
     ...anchorLabels(input),
     ...handleLabels(input),
     ...(input.run ? axisLabels(input, input.run) : []),
+    ...nextLabels(input),
     ...partLabels(input),
     ...contourLabels(input),
     ...groundLabels(input),
