@@ -1,7 +1,7 @@
 //! The papers' figures: every claim with its standard error and the verdict that the numbers give, reports
 //! that are spoiled and must lose claims, and the laws of the jobs. `cargo run --release --example figures` prints them.
 
-use rangelab::study::figures::claim::{Claim, Source, Target, Verdict};
+use rangelab::study::figures::claim::{Claim, Interval, Source, Verdict};
 use rangelab::study::figures::experiment::Study;
 use rangelab::study::figures::plan::{FigurePlan, FigureSum};
 use rangelab::study::figures::report::FigureReport;
@@ -259,7 +259,7 @@ fn wrong_jobs_are_refused() {
 #[test]
 fn a_claim_without_a_number_or_with_a_wide_one_is_not_decided() {
     let found = |value, standard_error| Some(Estimate { value, standard_error });
-    let verdict = |found| Claim::new(Source::Paper, "", found, Target::between(1.0, 2.0)).verdict;
+    let verdict = |found| Claim::new(Source::Paper, "", found, Interval::between(1.0, 2.0)).verdict;
     assert_eq!(verdict(None), Verdict::NotDecided);
     assert_eq!(verdict(found(1.5, 0.1)), Verdict::Holds);
     assert_eq!(verdict(found(1.5, 0.2)), Verdict::NotDecided);

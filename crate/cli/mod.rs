@@ -6,6 +6,7 @@ mod failure;
 mod field;
 mod figure;
 mod input;
+mod localize;
 mod output;
 mod picture;
 mod place;
@@ -52,6 +53,7 @@ pub enum Command {
     Run(run::RunCommand),
     Simulate(simulate::SimulateCommand),
     Estimate(estimate::EstimateCommand),
+    Localize(localize::LocalizeCommand),
     Study(study::StudyCommand),
     Figure(figure::FigureCommand),
     Field(field::FieldCommand),
@@ -67,6 +69,7 @@ impl Command {
             Self::Run(command) => command.execute(),
             Self::Simulate(command) => command.execute(),
             Self::Estimate(command) => command.execute(),
+            Self::Localize(command) => command.execute(),
             Self::Study(command) => command.execute(),
             Self::Figure(command) => command.execute(),
             Self::Field(command) => command.execute(),

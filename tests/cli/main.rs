@@ -2,7 +2,11 @@
 
 mod command;
 mod field;
+<<<<<<< HEAD
 mod figure;
+=======
+mod localize;
+>>>>>>> localize
 mod place;
 mod refusals;
 

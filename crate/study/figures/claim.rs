@@ -22,7 +22,7 @@ pub struct Claim {
     /// The number; null where the trials so far give none.
     pub found: Option<Estimate>,
     /// Where it should lie.
-    pub target: Target,
+    pub target: Interval,
     /// Whether it does.
     pub verdict: Verdict,
 }
@@ -41,7 +41,7 @@ pub enum Source {
 /// Where a number should lie; null at an end that is open.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(export))]
-pub struct Target {
+pub struct Interval {
     /// Least.
     pub least: Option<f64>,
     /// Most.
@@ -63,13 +63,13 @@ pub enum Verdict {
 
 impl Claim {
     /// Holds a number against a target.
-    pub fn new(source: Source, what: impl Into<String>, found: Option<Estimate>, target: Target) -> Self {
+    pub fn new(source: Source, what: impl Into<String>, found: Option<Estimate>, target: Interval) -> Self {
         let verdict = found.map_or(Verdict::NotDecided, |found| target.verdict(found));
         Self { what: what.into(), source, found, target, verdict }
     }
 }
 
-impl Target {
+impl Interval {
     /// At most this.
     pub const fn most(most: f64) -> Self {
         Self { least: None, most: Some(most) }
@@ -88,10 +88,10 @@ impl Target {
     /// Whether a number lies in it, as far as its standard error lets one say.
     ///
     /// ```
-    /// use rangelab::study::figures::claim::{Target, Verdict};
+    /// use rangelab::study::figures::claim::{Interval, Verdict};
     /// use rangelab::study::moments::Estimate;
     /// let found = |value| Estimate { value, standard_error: 0.01 };
-    /// let verdicts = [0.96, 0.98, 1.02, 1.04].map(|value| Target::most(1.0).verdict(found(value)));
+    /// let verdicts = [0.96, 0.98, 1.02, 1.04].map(|value| Interval::most(1.0).verdict(found(value)));
     /// use Verdict::{DoesNotHold, Holds, NotDecided};
     /// assert_eq!(verdicts, [Holds, NotDecided, NotDecided, DoesNotHold]);
     /// ```
@@ -109,7 +109,7 @@ impl Target {
     }
 }
 
-impl fmt::Display for Target {
+impl fmt::Display for Interval {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match (self.least, self.most) {
             (Some(least), Some(most)) => write!(f, "{least} to {most}"),

@@ -13,14 +13,14 @@ use super::reading::{Read, ReadBound, Reading, least, most};
 use crate::math::float::sqrt;
 use crate::model::localize_settings::LocalizerName::{ClassicalLs, Ls, OucLs, SucLs};
 use crate::study::figures::claim::Source::{Beyond, Paper};
-use crate::study::figures::claim::{Claim, Target};
+use crate::study::figures::claim::{Claim, Interval};
 use crate::study::figures::experiment::Study;
 use crate::study::localization::SnapshotBound::{Crb, UnitaryCrb};
 use crate::study::moments::Estimate;
 
-const MEETS: Target = Target::most(1.05);
-const SIMILAR: Target = Target::between(0.9, 1.1);
-const BELOW: Target = Target::most(1.0);
+const MEETS: Interval = Interval::most(1.05);
+const SIMILAR: Interval = Interval::between(0.9, 1.1);
+const BELOW: Interval = Interval::most(1.0);
 
 const ORIENTATION: Read = |s| s.rmse_orientation;
 const POSITION: Read = |s| s.rmse_position;
@@ -45,7 +45,7 @@ pub(super) fn figure_2(studies: &[Study]) -> Vec<Claim> {
     claims.push(Claim::new(Paper, what, fixed.versus(SucLs, OucLs, 80, ORIENTATION), SIMILAR));
     let (zeta, found) = most(0, 100, |zeta| fixed.at(OucLs, zeta, |s| Some(s.iterations)));
     let what = "fixed: mean Newton iterations of OUC-LS";
-    claims.push(Claim::new(Paper, at(what, zeta), found, Target::most(5.0)));
+    claims.push(Claim::new(Paper, at(what, zeta), found, Interval::most(5.0)));
     for zeta in [0, 20] {
         let what = format!("fixed, over O(3): RMSE(Q) of OUC-LS over sqrt(6), {zeta} dB");
         let found = over_o[0].at(OucLs, zeta, ORIENTATION).map(|error| scaled(error, 1.0 / sqrt(6.0)));
@@ -53,7 +53,7 @@ pub(super) fn figure_2(studies: &[Study]) -> Vec<Claim> {
     }
     let (zeta, found) = optimal(redrawn, 50);
     let what = "redrawn, over SO(3): RMSE(Q) of OUC-LS over the UC-CRB, from 50 dB";
-    claims.push(Claim::new(Beyond, at(what, zeta), found, Target::most(1.1)));
+    claims.push(Claim::new(Beyond, at(what, zeta), found, Interval::most(1.1)));
     claims.extend(reflections(fixed, over_o[0]));
     claims
 }
@@ -65,11 +65,11 @@ pub(super) fn figure_3(studies: &[Study]) -> Vec<Claim> {
         let bias = |zeta| study.at(name, zeta, |s| s.bias_orientation);
         let what = format!("fixed: bias of {}, 70 dB over 50 dB", name.label());
         let found = bias(70).zip(bias(50)).and_then(|(high, low)| high.over(low));
-        claims.push(Claim::new(Paper, what, found, Target::most(0.1)));
+        claims.push(Claim::new(Paper, what, found, Interval::most(0.1)));
     }
     let (zeta, found) = most(20, 100, |zeta| over_sampling(study.at(Ls, zeta, |s| s.bias_orientation)?));
     let what = "fixed: bias of LS over what sampling alone gives, from 20 dB";
-    claims.push(Claim::new(Paper, at(what, zeta), found, Target::most(3.0)));
+    claims.push(Claim::new(Paper, at(what, zeta), found, Interval::most(3.0)));
     // The part of the mean error along Q is -E||xi||^2/(2D) Q ([L] eq. 49).
     let over_least = |zeta| {
         let error = study.at(OucLs, zeta, ORIENTATION)?;
@@ -80,7 +80,7 @@ pub(super) fn figure_3(studies: &[Study]) -> Vec<Claim> {
         study.at(OucLs, zeta, |s| s.bias_orientation)?.over(scaled(square, 1.0 / (2.0 * sqrt(3.0))))
     };
     let what = "fixed: bias of OUC-LS over its least, RMSE(Q)^2/(2 sqrt 3), 50 dB";
-    claims.push(Claim::new(Beyond, what, over_least(50), Target::least(1.0)));
+    claims.push(Claim::new(Beyond, what, over_least(50), Interval::least(1.0)));
     claims
 }
 
@@ -120,13 +120,13 @@ pub(super) fn figure_5(studies: &[Study]) -> Vec<Claim> {
             Paper,
             "fixed: RMSE(S) of classical LS, all 10 sensors together, over RMSE(t) of OUC-LS, 60 dB",
             sensors.and_then(over_body),
-            Target::between(8.0, 12.0),
+            Interval::between(8.0, 12.0),
         ),
         Claim::new(
             Paper,
             "fixed: RMSE of one sensor by classical LS over RMSE(t) of OUC-LS, 60 dB",
             per_sensor.and_then(over_body),
-            Target::between(8.0, 12.0),
+            Interval::between(8.0, 12.0),
         ),
         Claim::new(
             Beyond,
@@ -177,7 +177,7 @@ fn least_squares(study: Reading<'_>) -> Vec<Claim> {
     let what = "fixed: RMSE(Q) of LS over the CRB, from 20 dB";
     [
         Claim::new(Paper, at(&format!("{what}, most"), high.0), high.1, MEETS),
-        Claim::new(Paper, at(&format!("{what}, least"), low.0), low.1, Target::least(0.95)),
+        Claim::new(Paper, at(&format!("{what}, least"), low.0), low.1, Interval::least(0.95)),
     ]
     .into()
 }
@@ -195,9 +195,9 @@ fn reflections(over_so: Reading<'_>, over_o: Reading<'_>) -> Vec<Claim> {
             Beyond,
             at("fixed, over O(3): share of mirrored OUC-LS, up to 30 dB", zeta),
             least,
-            Target::least(0.4),
+            Interval::least(0.4),
         ),
-        Claim::new(Beyond, "fixed, over SO(3): share of mirrored OUC-LS", most, Target::most(0.0)),
+        Claim::new(Beyond, "fixed, over SO(3): share of mirrored OUC-LS", most, Interval::most(0.0)),
     ]
     .into()
 }

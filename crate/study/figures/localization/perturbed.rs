@@ -10,12 +10,12 @@ use super::reading::{Read, Reading, most};
 use crate::math::float::sqrt;
 use crate::model::localize_settings::LocalizerName::{self, OucLs, OucTls, OucTlsPrinted, SucTls};
 use crate::study::figures::claim::Source::{Beyond, Paper};
-use crate::study::figures::claim::{Claim, Target};
+use crate::study::figures::claim::{Claim, Interval};
 use crate::study::figures::experiment::Study;
 use crate::study::moments::Estimate;
 
-const SIMILAR: Target = Target::between(0.9, 1.1);
-const BELOW: Target = Target::most(1.0);
+const SIMILAR: Interval = Interval::between(0.9, 1.1);
+const BELOW: Interval = Interval::most(1.0);
 
 pub(super) fn figure_7(studies: &[Study]) -> Vec<Claim> {
     let study = Reading(sweeps(studies)[FIXED]);
@@ -66,7 +66,7 @@ fn total_least_squares(study: Reading<'_>, what: &str, read: Read) -> Vec<Claim>
             Beyond,
             at(&format!("{}, from 50 dB", over(OucTls)), matched.0),
             matched.1,
-            Target::most(1.01),
+            Interval::most(1.01),
         ),
     ]
     .into()

@@ -10,18 +10,18 @@ use super::reading::Reading;
 use super::scenarios::{FIXED, INFORMATION_METRIC, OFF_CENTRE, OVER_O, PAPER, REDRAWN};
 use crate::model::estimator_settings::EstimatorName::{self, Eskf, EskfRaw, EtKf, Kf, Ortho, UcKf};
 use crate::study::figures::claim::Source::{self, Beyond};
-use crate::study::figures::claim::{Claim, Target};
+use crate::study::figures::claim::{Claim, Interval};
 use crate::study::figures::experiment::Study;
 use crate::study::figures::extreme::{least, most};
 use crate::study::moments::Estimate;
 use crate::study::report::StudyReport;
 use crate::study::tally::Summary;
 
-const WITHIN_A_TENTH: Target = Target::between(0.9, 1.1);
-const A_TENTH_ABOVE: Target = Target::most(1.1);
-const A_TENTH_BELOW: Target = Target::most(0.9);
-const BELOW: Target = Target::most(1.0);
-const ABOVE: Target = Target::least(1.0);
+const WITHIN_A_TENTH: Interval = Interval::between(0.9, 1.1);
+const A_TENTH_ABOVE: Interval = Interval::most(1.1);
+const A_TENTH_BELOW: Interval = Interval::most(0.9);
+const BELOW: Interval = Interval::most(1.0);
+const ABOVE: Interval = Interval::least(1.0);
 
 const ORIENTATION: fn(&Summary) -> Estimate = |s| s.rmse_orientation;
 const POSITION: fn(&Summary) -> Estimate = |s| s.rmse_position;
@@ -45,7 +45,7 @@ pub(super) fn figure_2(studies: &[Study]) -> Vec<Claim> {
     claims.push(beyond(
         "ESKF on unprojected ranges: RMSE(t) over that of ESKF, step 0",
         found,
-        Target::most(0.5),
+        Interval::most(0.5),
     ));
     claims
 }
@@ -141,7 +141,11 @@ fn about_consistency(study: Reading<'_>) -> Vec<Claim> {
         (study.linear_over_intrinsic(0), study.linear_over_intrinsic(study.steps().saturating_sub(1)));
     [
         beyond(at_worst("fixed: most NEES of ESKF per degree of freedom", high.0), high.1, A_TENTH_ABOVE),
-        beyond(at_worst("fixed: least NEES of ESKF per degree of freedom", low.0), low.1, Target::least(0.9)),
+        beyond(
+            at_worst("fixed: least NEES of ESKF per degree of freedom", low.0),
+            low.1,
+            Interval::least(0.9),
+        ),
         beyond(
             at_worst("fixed: estimated covariance of KF over the linear posterior bound", k),
             found,
@@ -150,12 +154,12 @@ fn about_consistency(study: Reading<'_>) -> Vec<Claim> {
         beyond(
             "fixed: linear posterior bound on Q over the one on rotations, step 0",
             first,
-            Target::least(3.0),
+            Interval::least(3.0),
         ),
         beyond(
             "fixed: linear posterior bound on Q over the one on rotations, last step",
             last,
-            Target::least(2.0),
+            Interval::least(2.0),
         ),
     ]
     .into()
@@ -168,12 +172,12 @@ fn about_the_trigger(fixed: Reading<'_>, studies: &[&StudyReport]) -> Vec<Claim>
     let information = Reading(studies[INFORMATION_METRIC]).at(EtKf, 0, ORIENTATION);
     let found = information.zip(frobenius).and_then(|(information, frobenius)| information.over(frobenius));
     [
-        beyond("fixed: share of trials that ET-KF projects, step 0", events(0), Target::between(0.5, 0.7)),
-        beyond("fixed: share of trials that ET-KF projects, step 4", events(4), Target::most(0.05)),
+        beyond("fixed: share of trials that ET-KF projects, step 0", events(0), Interval::between(0.5, 0.7)),
+        beyond("fixed: share of trials that ET-KF projects, step 4", events(4), Interval::most(0.05)),
         beyond(
             "redrawn: RMSE(Q) of ET-KF projecting in the metric of its covariance over that of ET-KF, step 0",
             found,
-            Target::most(0.5),
+            Interval::most(0.5),
         ),
     ]
     .into()
@@ -183,10 +187,10 @@ fn at_worst(what: &str, step: usize) -> String {
     format!("{what}, worst step ({step})")
 }
 
-fn paper(what: impl Into<String>, found: Option<Estimate>, target: Target) -> Claim {
+fn paper(what: impl Into<String>, found: Option<Estimate>, target: Interval) -> Claim {
     Claim::new(Source::Paper, what, found, target)
 }
 
-fn beyond(what: impl Into<String>, found: Option<Estimate>, target: Target) -> Claim {
+fn beyond(what: impl Into<String>, found: Option<Estimate>, target: Interval) -> Claim {
     Claim::new(Beyond, what, found, target)
 }

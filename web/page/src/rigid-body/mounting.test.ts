@@ -1,6 +1,6 @@
 import { beforeAll, expect, test } from "vitest";
 import { preset } from "../engine";
-import { loadEngineForTests } from "../engine.testing";
+import { loadEngineForTests } from "../engine/testing";
 import type { Scenario } from "../scenario";
 import { CLOUD_TRIALS, cloudOf, onMounting, positionFloor, toldMounting } from "./mounting";
 

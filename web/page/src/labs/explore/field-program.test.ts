@@ -1,6 +1,6 @@
 import { beforeAll, expect, test } from "vitest";
 import { fieldProgram, preset, presets } from "../../engine";
-import { loadEngineForTests } from "../../engine.testing";
+import { loadEngineForTests } from "../../engine/testing";
 import type { Scenario } from "../../scenario";
 import { programOf } from "./field-program";
 

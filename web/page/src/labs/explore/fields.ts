@@ -6,6 +6,7 @@ import { niceBelow } from "../../scene/geometry";
 import type { SceneInput } from "../../scene/input";
 import { programOf } from "./field-program";
 import { browserIdle, type Field, FieldStore } from "./field-store.svelte";
+import { inAngles } from "./next-anchor";
 
 /** The field of the scenario that is shown. */
 export const fields = new FieldStore({ layout: fieldLayout, rows: fieldRows }, browserIdle);
@@ -22,23 +23,24 @@ export function picture({
   const opacity = Number(palette.css("field-opacity"));
   const known = pictures.get(field);
   if (known?.opacity === opacity) return known;
-  const made = pictureOf(field, scenario.field, opacity);
+  const made = pictureOf(field, scenario, opacity);
   pictures.set(field, made);
   return made;
 }
 
-export function pictureOf(field: Field, settings: Scenario["field"], opacity: number): FieldPicture {
+export function pictureOf(field: Field, scenario: Scenario, opacity: number): FieldPicture {
   const { values, width, height, corner, u, v } = field;
-  const { quantity, position_limit, angle_limit } = settings;
-  const ends = scaleOf(values, unitOf(quantity).factor);
-  const worseThan = quantity === "position" ? position_limit : angle_limit;
-  const program = programOf(field.scenario);
+  const { subject, position_limit, angle_limit } = scenario.field;
+  const { factor } = unitOf(scenario);
+  const ends = subject === "body" ? scaleOf(values, factor) : endsOf(values, factor);
+  const worseThan = inAngles(scenario) ? angle_limit : position_limit;
+  const program = subject === "body" ? programOf(field.scenario) : null;
   return { values, width, height, corner, u, v, ...ends, worseThan, opacity, program };
 }
 
-/** What a bound is shown in, and the factor that takes it there. */
-export function unitOf(quantity: Scenario["field"]["quantity"]): { unit: string; factor: number } {
-  return quantity === "position" ? { unit: "m", factor: 1 } : { unit: "deg", factor: DEGREES_PER_RADIAN };
+/** What the field is shown in, and the factor that takes it there. */
+export function unitOf(scenario: Pick<Scenario, "field" | "placement">): { unit: string; factor: number } {
+  return inAngles(scenario) ? { unit: "deg", factor: DEGREES_PER_RADIAN } : { unit: "m", factor: 1 };
 }
 
 /** So many values tell where the ends of the scale are. */
@@ -54,6 +56,21 @@ export function scaleOf(values: Float32Array, factor: number): { low: number; hi
   const low = niceBelow(Math.max(bounds[0] * factor, 1e-12));
   const most = bounds[Math.floor(SHOWN_SHARE * (bounds.length - 1))] * factor;
   return { low: low / factor, high: niceAbove(Math.max(most, 2 * low)) / factor };
+}
+
+/** The ends differ at least by this factor, or rounding would be coloured. */
+const LEAST_RATIO = 1.02;
+
+/** The ends of a scale that takes all its colours for the numbers there are: one more anchor often changes little. */
+export function endsOf(values: Float32Array, factor: number): { low: number; high: number } {
+  const seen = values.filter((value) => value < UNBOUNDED).sort();
+  if (seen.length === 0) return { low: 0.01, high: 1 };
+  const least = Math.max(seen[0] * factor, 1e-12);
+  const most = Math.max(seen[Math.floor(SHOWN_SHARE * (seen.length - 1))] * factor, LEAST_RATIO * least);
+  // The third digit of the larger end, so that numbers beside the scale are short.
+  const step = 10 ** (Math.floor(Math.log10(most)) - 2);
+  const [low, high] = [Math.floor(least / step), Math.ceil(most / step)];
+  return { low: (Math.max(low, 0.1) * step) / factor, high: (high * step) / factor };
 }
 
 /** Smallest of 1, 2, 5 times a power of ten that is not below `value`. */

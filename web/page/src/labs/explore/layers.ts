@@ -45,12 +45,12 @@ export const bounds: Layer<ExploreRun> = (input, out) => {
 /** Lines of equal bound, with round numbers in the unit that is shown. */
 export const contours: Layer<ExploreRun> = (input, out) => {
   const field = picture(input);
-  if (field) fieldContours(input, out, field, unitOf(input.scenario.field.quantity).factor);
+  if (field) fieldContours(input, out, field, unitOf(input.scenario).factor);
 };
 
 export function contourLabels(input: SceneInput<ExploreRun>): Label[] {
   const field = picture(input);
-  const { unit, factor } = unitOf(input.scenario.field.quantity);
+  const { unit, factor } = unitOf(input.scenario);
   return field ? fieldContourLabels(field, factor, unit) : [];
 }
 
@@ -105,6 +105,7 @@ export const reading: Layer<ExploreRun> = (input, out) => {
   const point = pointUnder(input.ray, fields.field, scenario.dimension);
   if (!point) return;
   out.point(lift(point), 6, palette.rgba("accent"), "cross");
+  if (scenario.field.subject !== "body") return;
   const covariance = boundsAt(scenario, point)?.position_covariance;
   if (covariance && uncertainty.position)
     drawEllipsoid(

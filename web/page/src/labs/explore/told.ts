@@ -4,6 +4,7 @@ import { toldMounting } from "../../rigid-body/mounting";
 import type { SceneInput } from "../../scene/input";
 import { asSentence } from "../../words";
 import { weakestMotion } from "./layers";
+import { toldNext } from "./next-anchor";
 import { toldAdvice } from "./placement";
 import type { ExploreRun } from "./run";
 
@@ -59,6 +60,7 @@ export function told(input: SceneInput<ExploreRun>): string[] {
     ...(walls > 0 ? [`${walls} walls and boxes block lines of sight.`] : []),
     ...toldMounting(scenario),
     ...toldAdvice(run.advice, scenario),
+    ...toldNext(run.next),
     ...(exploration.modes.length > 0 ? [`${ghostOf(input)}.`] : []),
   ];
 }

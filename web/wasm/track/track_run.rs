@@ -4,9 +4,10 @@ use rangelab::math::float::sqrt;
 use rangelab::math::rotation::rotation_angles;
 use rangelab::model::document::entries::PoseEntries;
 use rangelab::model::run::{BoundRecord, BoundRun, EstimatorRun, Run, StepRecord};
+use rangelab_wasm_shared::json;
 use wasm_bindgen::prelude::*;
 
-use crate::{Named, json};
+use crate::Named;
 
 /// What the estimators and bounds made of one recording: K steps, D dimensions, matrices row by row. Estimators and
 /// bounds are numbered as in [`TrackRun::estimators`] and [`TrackRun::bounds`]. NaN stands where there is no number:
@@ -178,14 +179,14 @@ impl TrackRun {
             to.extend(record.rotation_covariance.iter().flatten().flatten());
         })
     }
-
-    /// The run as a JSON document, the same bytes that the command line writes.
-    pub fn to_json(&self) -> String {
-        self.0.to_json()
-    }
 }
 
 impl TrackRun {
+    /// The run that the arrays are read from.
+    pub fn document(&self) -> &Run {
+        &self.0
+    }
+
     fn angles(&self) -> usize {
         rotation_angles(self.0.dimension)
     }

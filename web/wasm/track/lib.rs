@@ -1,37 +1,22 @@
-//! Thin WebAssembly facade over rangelab: documents in as JSON, a run out as typed arrays.
+//! The WebAssembly module that the page starts with: documents in as JSON, a run out as typed arrays.
 //!
-//! It does no arithmetic of its own but the roots of variances. What goes wrong is thrown as an `Error` whose message is
+//! It is a thin facade over rangelab and does no arithmetic of its own but the roots of variances. What goes wrong is thrown as an `Error` whose message is
 //! a sentence.
 
-mod explore;
-mod place;
 mod study;
 mod track_run;
 
-use rangelab::model::estimator_settings::EstimatorSettings;
 use rangelab::model::presets::PRESETS;
-use rangelab::model::recording::RecordingDocument;
 use rangelab::model::scenario::Scenario;
 use rangelab::model::topologies;
-use rangelab::study::track_run::{run_document, run_scenario};
+use rangelab::study::track_run::run_scenario;
 use rangelab::{Error, Problem};
+use rangelab_wasm_shared::json;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-pub use explore::{
-    explore, field_layout, field_parameters, field_probe, field_program, field_rows, mounting_cloud,
-    size_curve,
-};
-pub use place::{advise, improve};
 pub use study::{StudySum, study_block};
 pub use track_run::TrackRun;
-
-/// Lets a panic say on the console where it happened.
-#[cfg(target_arch = "wasm32")]
-#[wasm_bindgen(start)]
-pub fn start() {
-    console_error_panic_hook::set_once();
-}
 
 /// The presets: JSON `[{name, title, summary}]`.
 #[wasm_bindgen]
@@ -94,16 +79,6 @@ pub fn track(scenario: &str, trial: u32) -> Result<TrackRun, JsError> {
     Ok(run_scenario(&Scenario::from_json(scenario)?, u64::from(trial))?.into())
 }
 
-/// Runs estimators (JSON settings) and the bounds on a recording (JSON).
-///
-/// # Errors
-/// A sentence with every problem of the recording or the settings.
-#[wasm_bindgen]
-pub fn estimate(recording: &str, settings: &str) -> Result<TrackRun, JsError> {
-    let recording = RecordingDocument::from_json(recording)?;
-    Ok(run_document(&recording, &EstimatorSettings::from_json(settings)?)?.into())
-}
-
 /// What people and files call an estimator or a bound.
 #[derive(Serialize)]
 struct Named<'a> {
@@ -126,8 +101,4 @@ impl From<Problem> for Found {
         let Problem { path, value, limit } = problem;
         Self { path, value, limit, message }
     }
-}
-
-fn json<T: Serialize + ?Sized>(value: &T) -> String {
-    serde_json::to_string(value).expect("names and sentences always have a JSON form")
 }

@@ -1,5 +1,5 @@
 import { beforeAll, describe, expect, test, vi } from "vitest";
-import * as engine from "./engine";
+import * as engine from ".";
 
 interface Files {
   readFileSync(file: URL): Uint8Array<ArrayBuffer>;
@@ -28,8 +28,8 @@ beforeAll(async () => {
     new Instance(module, imports);
   vi.stubGlobal("WebAssembly", Object.assign(Object.create(WebAssembly), { Instance, instantiate }));
   const { readFileSync } = await vi.importActual<Files>("node:fs");
-  const file = new URL("wasm/rangelab/rangelab_wasm_bg.wasm", import.meta.url);
-  await engine.loadEngine(new WebAssembly.Module(readFileSync(file)));
+  const file = new URL("../wasm/track/rangelab_track_bg.wasm", import.meta.url);
+  await engine.trackModule.load(new WebAssembly.Module(readFileSync(file)));
 });
 
 describe("after a trap", () => {

@@ -6,9 +6,8 @@ use rangelab::model::scenario::Scenario;
 use rangelab::simulate::mounting;
 use rangelab::study::exploration;
 use rangelab::with_dimension;
+use rangelab_wasm_shared::json;
 use wasm_bindgen::prelude::*;
-
-use crate::json;
 
 /// What the geometry of a scenario (JSON) can and cannot see at the pose its body starts from: the JSON of the crate's
 /// `Exploration`.
@@ -30,7 +29,8 @@ pub fn field_layout(scenario: &str, resolution: usize) -> Result<String, JsError
     Ok(json(&layout(&Scenario::from_json(scenario)?, resolution)?))
 }
 
-/// Some rows of the scenario's field, row by row: m or rad, 1e30 where there is no bound.
+/// Some rows of the scenario's field, of its body or of one more anchor, row by row: m or rad, 1e30 where there is no
+/// bound and where no anchor may stand.
 ///
 /// # Errors
 /// As [`field_layout`].
@@ -43,12 +43,13 @@ pub fn field_rows(
 ) -> Result<Vec<f32>, JsError> {
     let scenario = Scenario::from_json(scenario)?;
     let layout = layout(&scenario, resolution)?;
-    let field = with_dimension!(scenario.dimension, D => field_of::<D>(&scenario))?;
+    let values = rangelab::place::field_rows(&scenario, &layout, first_row, rows)?;
     #[allow(clippy::cast_possible_truncation, reason = "colours need no more digits; read-outs are probes")]
-    Ok(field.rows(&layout, first_row, rows).into_iter().map(|value| value as f32).collect())
+    Ok(values.into_iter().map(|value| value as f32).collect())
 }
 
-/// The program (WGSL) by which a graphics device computes the scenario's field from [`field_parameters`].
+/// The program (WGSL) by which a graphics device computes the field of the scenario's body from [`field_parameters`]. There
+/// is none for one more anchor.
 ///
 /// # Errors
 /// As [`field_layout`].

@@ -8,9 +8,10 @@ use rangelab::study::monte_carlo::{MonteCarlo, TRIALS_PER_BLOCK};
 use rangelab::study::report::BoundSummary;
 use rangelab::study::tally::Summary;
 use rangelab::{Error, with_dimension};
+use rangelab_wasm_shared::json;
 use wasm_bindgen::prelude::*;
 
-use crate::{Named, json};
+use crate::Named;
 
 /// Trials that are summed before their sum is joined to others. A study starts its pieces at multiples of it.
 #[wasm_bindgen]

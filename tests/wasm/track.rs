@@ -1,22 +1,20 @@
-//! The module that the page loads, in a browser: the same bits as the native library, errors as sentences.
+//! The module that the page starts with, in a browser: the same bits as the native library, errors as sentences.
 #![cfg(target_arch = "wasm32")]
 
 #[path = "../golden/fingerprint.rs"]
 mod fingerprint;
 
-use fingerprint::{fingerprints, geometry_fingerprints, study_fingerprint};
+use fingerprint::{fingerprints, study_fingerprint};
 use rangelab::math::rotation::rotation_angles;
 use rangelab::model::presets::PRESETS;
 use rangelab::model::recording::RecordingDocument;
-use rangelab::model::run::Run;
 use rangelab::model::scenario::Scenario;
 use rangelab::simulate::simulate;
 use rangelab::study::moments::Estimate;
 use rangelab::study::monte_carlo::MonteCarlo;
-use rangelab_wasm::{
-    StudySum, TrackRun, advise, chi_squared_interval, complete, estimate, explore, field_layout,
-    field_parameters, field_probe, field_program, field_rows, improve, mounting_cloud, preset, presets,
-    size_curve, study_block, track, validate,
+use rangelab::study::track_run::run_document;
+use rangelab_track::{
+    StudySum, TrackRun, chi_squared_interval, complete, preset, presets, study_block, track, validate,
 };
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
@@ -58,8 +56,7 @@ fn sentence<T>(result: Result<T, JsError>) -> String {
 #[wasm_bindgen_test]
 fn every_preset_gives_the_golden_bits() {
     for each in PRESETS {
-        let run = Run::from_json(&run_of(each.name).to_json()).unwrap();
-        assert_eq!(fingerprints(&run), golden(each.name), "{}", each.name);
+        assert_eq!(fingerprints(run_of(each.name).document()), golden(each.name), "{}", each.name);
     }
 }
 
@@ -78,44 +75,6 @@ fn blocks_of_a_study_give_the_golden_bits() {
         study_fingerprint(name, &sum.to_numbers())
     };
     assert_eq!(study("planar") + &study("room"), include_str!("../golden/studies.txt"));
-}
-
-#[wasm_bindgen_test]
-fn fields_and_placements_give_the_golden_bits() {
-    assert_eq!(geometry_fingerprints(), include_str!("../golden/geometry.txt"));
-}
-
-/// The rows that workers give are those of the crate, in the single precision that colours need.
-#[wasm_bindgen_test]
-fn the_facade_of_the_field_hands_through() {
-    let scenario = preset("room").ok().unwrap();
-    let layout: Value = serde_json::from_str(&field_layout(&scenario, 20).ok().unwrap()).unwrap();
-    let (width, height) = (layout["width"].as_u64().unwrap(), layout["height"].as_u64().unwrap());
-    let (width, height) = (usize::try_from(width).unwrap(), usize::try_from(height).unwrap());
-    let all = field_rows(&scenario, 20, 0, height).ok().unwrap();
-    assert_eq!(all.len(), width * height);
-    assert_eq!(field_rows(&scenario, 20, 3, 2).ok().unwrap(), all[3 * width..5 * width]);
-    assert!(field_rows(&scenario, 0, 0, 1).is_err());
-    let found: Value = serde_json::from_str(&explore(&scenario).ok().unwrap()).unwrap();
-    let place: Vec<f64> = serde_json::from_value(found["pose"]["position"].clone()).unwrap();
-    let probe: Value = serde_json::from_str(&field_probe(&scenario, &place).ok().unwrap()).unwrap();
-    assert_eq!(probe["position_sigma"], found["position_sigma"]);
-    assert!(field_probe(&scenario, &[1.0]).is_err());
-    let curve = size_curve(&scenario, &[0.5, 1.0, 2.0]).ok().unwrap();
-    assert_eq!(curve[1].to_bits(), found["angle_sigma"].as_f64().unwrap().to_bits());
-    assert!(curve[0] > curve[1] && curve[1] > curve[2], "a larger body is a better compass: {curve:?}");
-    assert!(size_curve(&scenario, &[0.0]).is_err());
-    let mut mounted = Scenario::from_json(&scenario).unwrap();
-    mounted.mounting_sigma = 0.01;
-    let native = rangelab::simulate::mounting::mounting_cloud::<3>(&mounted, 4).unwrap();
-    let cloud = mounting_cloud(&mounted.to_json(), 4).ok().unwrap();
-    assert_eq!(cloud, native.iter().flat_map(|place| place.iter().copied()).collect::<Vec<_>>());
-    assert!(sentence(mounting_cloud(&scenario, u32::MAX)).contains("at most 1000000"));
-    let advice: Value = serde_json::from_str(&advise(&scenario).ok().unwrap()).unwrap();
-    let better: Value = serde_json::from_str(&improve(&scenario, 0).ok().unwrap()).unwrap();
-    assert_eq!(advice["value"], better["before"]);
-    assert!(field_program(&scenario).ok().unwrap().contains("fn main"));
-    assert!(field_parameters(&scenario).ok().unwrap().iter().all(|x| x.is_finite()));
 }
 
 #[wasm_bindgen_test]
@@ -196,7 +155,7 @@ fn presets_have_names_titles_and_sentences() {
 fn typed_arrays_hold_what_the_document_says() {
     for name in ["planar", "room"] {
         let arrays = run_of(name);
-        let run = Run::from_json(&arrays.to_json()).unwrap();
+        let run = arrays.document();
         let (steps, dimension) = (arrays.steps(), arrays.dimension());
         assert_eq!((steps, dimension), (run.times.len(), run.dimension));
         assert_eq!(arrays.anchors(), run.anchors.concat());
@@ -235,7 +194,7 @@ fn typed_arrays_hold_what_the_document_says() {
 fn typed_arrays_hold_the_bounds_of_the_document() {
     for name in ["planar", "room"] {
         let arrays = run_of(name);
-        let run = Run::from_json(&arrays.to_json()).unwrap();
+        let run = arrays.document();
         let last = arrays.steps() - 1;
         for (b, bound) in run.bounds.iter().enumerate() {
             let record = bound.steps[last].as_ref().unwrap();
@@ -278,20 +237,11 @@ fn the_geometry_names_what_hides() {
 }
 
 #[wasm_bindgen_test]
-fn a_recording_gives_what_its_scenario_gives() {
-    let scenario = Scenario::from_json(&preset("room").ok().unwrap()).unwrap();
-    let recording = RecordingDocument::new(&scenario.name, &simulate::<3>(&scenario, 7).unwrap());
-    let settings = serde_json::to_string(&scenario.estimators).unwrap();
-    let estimated = estimate(&recording.to_json(), &settings).ok().unwrap();
-    assert_eq!(estimated.to_json(), track(&scenario.to_json(), 7).ok().unwrap().to_json());
-}
-
-#[wasm_bindgen_test]
 fn without_truth_errors_and_bounds_are_not_invented() {
     let scenario = Scenario::from_json(&preset("room").ok().unwrap()).unwrap();
     let mut recording = RecordingDocument::new("log", &simulate::<3>(&scenario, 0).unwrap());
     recording.epochs.iter_mut().for_each(|epoch| epoch.truth = None);
-    let run = estimate(&recording.to_json(), r#"{"enabled": ["eskf"]}"#).ok().unwrap();
+    let run = TrackRun::from(run_document(&recording, &scenario.estimators).unwrap());
     assert!(run.orientation_errors(0).iter().all(|x| x.is_nan()));
     assert!(run.truth_positions().iter().all(|x| x.is_nan()));
     assert!(run.positions(0).iter().all(|x| x.is_finite()));

@@ -1,7 +1,7 @@
 /** What the engine hands out, as plain objects and typed arrays. */
-import type { WasmRun, WasmStudy } from "./engine";
-import type { BoundRun, EstimatorRun, Run } from "./run";
-import type { BoundCurves, Curve, EstimatorCurves, StudyCurves } from "./study";
+import type { StudySum as WasmStudy, TrackRun as WasmRun } from "../wasm/track/rangelab_track.js";
+import type { BoundRun, EstimatorRun, Run } from "../run";
+import type { BoundCurves, Curve, EstimatorCurves, StudyCurves } from "../study";
 
 interface Named {
   name: string;
