@@ -42,6 +42,10 @@ export const STATES: readonly State[] = [
   { name: "parts put away", prepare: putAway },
   { name: "scene restored", prepare: restore },
   { name: "fault told", prepare: fault },
+  { name: "Explore", prepare: (lab) => explore(lab) },
+  { name: "Explore, groups open", prepare: exploreOpen },
+  { name: "Explore, coplanar", preset: "coplanar-ceiling", prepare: (lab) => explore(lab) },
+  { name: "Explore, planar", preset: "planar", prepare: (lab) => explore(lab) },
 ];
 
 /** The page in that state, theme and size. */
@@ -97,6 +101,16 @@ async function restore(lab: Lab): Promise<void> {
 async function fault(lab: Lab): Promise<void> {
   await lab.page.evaluate(() => reportError(new Error("A sentence that tells what went wrong here.")));
   await expect(lab.page.getByRole("button", { name: "Copy report" })).toBeVisible();
+}
+
+async function explore(lab: Lab): Promise<void> {
+  await lab.page.getByRole("navigation", { name: "Labs" }).getByRole("button", { name: "Explore" }).click();
+  await expect(lab.page.getByRole("table", { name: "Bounds of one epoch" })).toBeVisible();
+}
+
+async function exploreOpen(lab: Lab): Promise<void> {
+  await explore(lab);
+  await lab.openGroups();
 }
 
 async function openDialog(lab: Lab, button: string): Promise<void> {

@@ -43,4 +43,6 @@ export interface Label {
   readonly strong?: boolean;
   /** CSS pixels from the point to the middle of the text, where one place is better than the others. */
   readonly offset?: Pixel;
+  /** Other points that the text may stand at where there is no place at the first. */
+  readonly elsewhere?: readonly Vec3[];
 }

@@ -57,7 +57,8 @@ export class LabelPlacer {
     const sides = new Map<string, number>();
     const placed: PlacedLabel[] = [];
     for (const { label, point } of visible) {
-      const boxes = candidates(label, point, fontSize);
+      const others = (label.elsewhere ?? []).map((at) => view.project(at));
+      const boxes = [point, ...others].flatMap((at) => candidates(label, at, fontSize));
       const order = [this.#sides.get(label.id) ?? 0, ...boxes.keys()];
       const free = order.find(
         (side) => inside(boxes[side], view) && !taken.some((box) => overlap(box, boxes[side])),
