@@ -9,7 +9,7 @@ export type OpenPool = (listener: PoolListener<FieldRows, RowValues>) => {
 };
 
 /** Milliseconds without another scenario after which the workers begin: a drag is not worth their while. */
-export const REST = 60;
+export const REST = 150;
 /** Rows that one worker computes at a time: few enough that the next scenario does not wait. */
 const ROWS = 32;
 
