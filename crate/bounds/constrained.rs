@@ -53,6 +53,12 @@ pub(super) fn unitary_crb_on<const D: usize>(
     information: &FisherInformation<D>,
     j: &TangentMatrix<D>,
 ) -> Result<TangentMatrix<D>> {
+    covariance_of(j)
+        .ok_or_else(|| unobservable("the unitarily constrained bound", information, Parameters::Pose))
+}
+
+/// [`unitary_crb`] of an information on the tangent space alone; without the cause where there is no bound.
+pub fn covariance_of<const D: usize>(j: &TangentMatrix<D>) -> Option<TangentMatrix<D>> {
     j.inverse()
         .ok()
         .filter(|c| (0..tangent_dimension(D)).all(|i| carries_digits(j.entry(i, i) * c.entry(i, i))))
@@ -60,7 +66,6 @@ pub(super) fn unitary_crb_on<const D: usize>(
             let part = |range: Range<usize>| comparable(range.map(|i| j.entry(i, i)));
             part(0..rotation_angles(D)) && part(rotation_angles(D)..tangent_dimension(D))
         })
-        .ok_or_else(|| unobservable("the unitarily constrained bound", information, Parameters::Pose))
 }
 
 /// The covariance `T C T^T` of `vec([Q | t])` that belongs to a covariance `C` of the tangent coordinates: with

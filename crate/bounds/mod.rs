@@ -20,7 +20,7 @@ pub mod twin;
 
 pub use along::{StepBounds, bounds_along, visit_bounds};
 pub use cause::Cause;
-pub use constrained::{crb, unitary_crb};
+pub use constrained::{covariance_of, crb, unitary_crb};
 pub use fisher::{FisherInformation, fisher_information, fisher_information_of};
 pub use kinds::{Bound, BoundKind, BoundMatrix};
 pub use observability::{Observability, observability};

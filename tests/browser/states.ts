@@ -44,14 +44,39 @@ export const STATES: readonly State[] = [
   { name: "fault told", prepare: fault },
   { name: "Explore", prepare: (lab) => explore(lab) },
   { name: "Explore, groups open", prepare: exploreOpen },
+  { name: "Explore, next anchor", prepare: exploreNext },
   { name: "Explore, coplanar", preset: "coplanar-ceiling", prepare: (lab) => explore(lab) },
+  { name: "Explore, sensor chosen", prepare: chooseSensor },
   { name: "Explore, planar", preset: "planar", prepare: (lab) => explore(lab) },
+  { name: "Explore, handles", prepare: showHandles },
+  { name: "Explore, drawings", prepare: openDrawings },
 ];
 
 /** The page in that state, theme and size. */
 export async function enter(lab: Lab, state: State): Promise<void> {
   if (state.preset) await lab.openPreset(state.preset);
   await state.prepare(lab);
+}
+
+/** Explore with its boxes, a wall and a corner that is chosen. */
+async function showHandles(lab: Lab): Promise<void> {
+  await explore(lab);
+  const placement = await lab.openGroup("Placement");
+  for (const name of ["Body in a box", "Limit anchors", "Keep-out box"])
+    await placement.getByRole("button", { name }).click();
+  const availability = await lab.openGroup("Range availability");
+  await availability.getByRole("button", { name: "Add a wall" }).click();
+  const close = lab.page.getByRole("button", { name: "Close", exact: true });
+  if (await close.isVisible()) await close.click();
+  await lab.surface.focus();
+  for (let i = 0; i < 5; i++) await lab.page.keyboard.press("p");
+  await expect(lab.page.getByRole("group", { name: "Selected handle" })).toBeVisible();
+}
+
+async function openDrawings(lab: Lab): Promise<void> {
+  await explore(lab);
+  await lab.page.getByRole("button", { name: "Draw…" }).click();
+  await expect(lab.page.getByRole("button", { name: "Draw a wall" })).toBeVisible();
 }
 
 async function refuse(lab: Lab): Promise<void> {
@@ -108,9 +133,23 @@ async function explore(lab: Lab): Promise<void> {
   await expect(lab.page.getByRole("table", { name: "Bounds of one epoch" })).toBeVisible();
 }
 
+async function chooseSensor(lab: Lab): Promise<void> {
+  await explore(lab);
+  await lab.openGroup("Sensors on the body");
+  await lab.type("Mounting error σ_e", "0.01");
+  await lab.page.getByRole("button", { name: /^Sensor 2 at/ }).focus();
+}
+
 async function exploreOpen(lab: Lab): Promise<void> {
   await explore(lab);
   await lab.openGroups();
+}
+
+async function exploreNext(lab: Lab): Promise<void> {
+  await explore(lab);
+  await lab.openSheet();
+  await lab.page.getByRole("combobox", { name: "Shows" }).selectOption("best next anchor");
+  await expect(lab.page.getByRole("table", { name: "One more anchor" })).toBeVisible();
 }
 
 async function openDialog(lab: Lab, button: string): Promise<void> {

@@ -1,13 +1,14 @@
 //! A short fingerprint of every number of a run, the same natively and in the browser only if every bit is.
 
-use rangelab::bounds::field::{Field, FieldLayout};
+use rangelab::bounds::field::{Field, FieldLayout, layout_of};
 use rangelab::model::document::entries::PoseEntries;
-use rangelab::model::field_settings::{FieldSettings, Quantity};
+use rangelab::model::field_settings::{FieldSettings, Quantity, Subject};
+use rangelab::model::placement_settings::Criterion;
 use rangelab::model::presets::preset;
 use rangelab::model::ranging::RangeForm;
 use rangelab::model::run::{BoundRecord, Run, StepRecord};
 use rangelab::model::scenario::Scenario;
-use rangelab::place::improve;
+use rangelab::place::{best_next, field_rows, improve};
 use rangelab::with_dimension;
 
 /// FNV-1a, 64 bits.
@@ -96,17 +97,32 @@ pub fn study_fingerprint(name: &str, numbers: &[f64]) -> String {
     line(name, |hash| hash.numbers(numbers))
 }
 
-/// A line for the field and one for better anchors, of a scenario in the plane and of two in space.
+/// A line for the field, one for the next anchor and one for better anchors, of a scenario in the plane and of two in space.
 pub fn geometry_fingerprints() -> String {
     let each = |name: &str| {
         let scenario = preset(name).unwrap();
         let field = with_dimension!(scenario.dimension, D => Ok(field_values::<D>(&scenario))).unwrap();
         let anchors = |restart| improve(&scenario, restart).unwrap().anchors.concat();
         let better: Vec<f64> = (0..2).flat_map(anchors).collect();
+        let best = best_next(&scenario).unwrap().unwrap();
+        let next = [next_values(&scenario), best.point, vec![best.after.unwrap()]].concat();
         line(&format!("field of {name}"), |hash| hash.numbers(&field))
+            + &line(&format!("next anchor of {name}"), |hash| hash.numbers(&next))
             + &line(&format!("placement of {name}"), |hash| hash.numbers(&better))
     };
     ["planar", "room", "coplanar-ceiling"].map(each).concat()
+}
+
+/// The next anchor over the plane of the field, of each criterion.
+fn next_values(scenario: &Scenario) -> Vec<f64> {
+    let layout = with_dimension!(scenario.dimension, D => layout_of::<D>(scenario, 9)).unwrap();
+    let mut scenario = scenario.clone();
+    scenario.field.subject = Subject::NextAnchor;
+    let values = |criterion| {
+        scenario.placement.criterion = criterion;
+        field_rows(&scenario, &layout, 0, layout.height).unwrap()
+    };
+    [Criterion::A, Criterion::D, Criterion::E].map(values).concat()
 }
 
 fn field_values<const D: usize>(scenario: &Scenario) -> Vec<f64> {

@@ -8,7 +8,7 @@ use fingerprint::geometry_fingerprints;
 use rangelab::model::presets::preset;
 use rangelab_explore::{
     advise, explore, field_layout, field_parameters, field_probe, field_program, field_rows, improve,
-    size_curve,
+    mounting_cloud, size_curve,
 };
 use serde_json::Value;
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
@@ -40,6 +40,12 @@ fn the_facade_of_the_field_hands_through() {
     assert_eq!(curve[1].to_bits(), found["angle_sigma"].as_f64().unwrap().to_bits());
     assert!(curve[0] > curve[1] && curve[1] > curve[2], "a larger body is a better compass: {curve:?}");
     assert!(size_curve(&scenario, &[0.0]).is_err());
+    let mut mounted = preset("room").unwrap();
+    mounted.mounting_sigma = 0.01;
+    let native = rangelab::simulate::mounting::mounting_cloud::<3>(&mounted, 4).unwrap();
+    let cloud = mounting_cloud(&mounted.to_json(), 4).ok().unwrap();
+    assert_eq!(cloud, native.iter().flat_map(|place| place.iter().copied()).collect::<Vec<_>>());
+    assert!(mounting_cloud(&scenario, u32::MAX).is_err());
     let advice: Value = serde_json::from_str(&advise(&scenario).ok().unwrap()).unwrap();
     let better: Value = serde_json::from_str(&improve(&scenario, 0).ok().unwrap()).unwrap();
     assert_eq!(advice["value"], better["before"]);

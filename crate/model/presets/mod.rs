@@ -193,6 +193,7 @@ fn base<const D: usize>(
         anchors: lists(anchors),
         redraw_anchors: None,
         sensors: lists(sensors),
+        mounting_sigma: 0.0,
         noise,
         weights: WeightSource::Measured,
         weighting: Weighting::Common,

@@ -53,6 +53,10 @@ pub struct Scenario {
     pub redraw_anchors: Option<RedrawAnchors>,
     /// Positions of the sensors in the body frame, m.
     pub sensors: Vec<Vec<f64>>,
+    /// Standard deviation `sigma_e` of each coordinate of a sensor's real place on the body about the one given (\[L\]
+    /// Sec. VII), m; drawn anew for every trial. Estimators and bounds know nothing of it.
+    #[serde(default)]
+    pub mounting_sigma: f64,
     /// How ranges are disturbed; estimators know it.
     pub noise: RangeNoise,
     /// Which ranges give the weights.

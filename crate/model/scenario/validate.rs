@@ -26,6 +26,7 @@ pub fn problems(scenario: &Scenario) -> Vec<Problem> {
         check.number("redraw_anchors.half_width", redraw.half_width, Limit::LENGTH);
     }
     check.points("sensors", &scenario.sensors, dimension);
+    check.number("mounting_sigma", scenario.mounting_sigma, Limit::POSITION_NOISE);
     check.noise(&scenario.noise);
     check.number("missing_probability", scenario.missing_probability, Limit::PROBABILITY);
     check.number("interval", scenario.interval, Limit::INTERVAL);

@@ -3,6 +3,7 @@
 use rangelab::bounds::field::{FieldLayout, field_of, layout_of};
 use rangelab::bounds::size::orientation_against_size;
 use rangelab::model::scenario::Scenario;
+use rangelab::simulate::mounting;
 use rangelab::study::exploration;
 use rangelab::with_dimension;
 use rangelab_wasm_shared::json;
@@ -28,7 +29,8 @@ pub fn field_layout(scenario: &str, resolution: usize) -> Result<String, JsError
     Ok(json(&layout(&Scenario::from_json(scenario)?, resolution)?))
 }
 
-/// Some rows of the scenario's field, row by row: m or rad, 1e30 where there is no bound.
+/// Some rows of the scenario's field, of its body or of one more anchor, row by row: m or rad, 1e30 where there is no
+/// bound and where no anchor may stand.
 ///
 /// # Errors
 /// As [`field_layout`].
@@ -41,12 +43,13 @@ pub fn field_rows(
 ) -> Result<Vec<f32>, JsError> {
     let scenario = Scenario::from_json(scenario)?;
     let layout = layout(&scenario, resolution)?;
-    let field = with_dimension!(scenario.dimension, D => field_of::<D>(&scenario))?;
+    let values = rangelab::place::field_rows(&scenario, &layout, first_row, rows)?;
     #[allow(clippy::cast_possible_truncation, reason = "colours need no more digits; read-outs are probes")]
-    Ok(field.rows(&layout, first_row, rows).into_iter().map(|value| value as f32).collect())
+    Ok(values.into_iter().map(|value| value as f32).collect())
 }
 
-/// The program (WGSL) by which a graphics device computes the scenario's field from [`field_parameters`].
+/// The program (WGSL) by which a graphics device computes the field of the scenario's body from [`field_parameters`]. There
+/// is none for one more anchor.
 ///
 /// # Errors
 /// As [`field_layout`].
@@ -89,6 +92,21 @@ pub fn size_curve(scenario: &str, scales: &[f64]) -> Result<Vec<f64>, JsError> {
         orientation_against_size(&setup.model, &setup.availability, &setup.start, scenario.field.form, scales)
     })?;
     Ok(curve.into_iter().map(|bound| bound.unwrap_or(f64::NAN)).collect())
+}
+
+/// Where the sensors sit on the body in trials `0..trials`, in the body frame, m: trial by trial, sensor by sensor, D
+/// numbers each.
+///
+/// # Errors
+/// A sentence for a bad scenario or for more than a million places.
+#[wasm_bindgen]
+pub fn mounting_cloud(scenario: &str, trials: u32) -> Result<Vec<f64>, JsError> {
+    let scenario = Scenario::from_json(scenario)?;
+    let places = with_dimension!(scenario.dimension, D => {
+        let places = mounting::mounting_cloud::<D>(&scenario, u64::from(trials))?;
+        Ok(places.iter().flat_map(|place| place.iter().copied()).collect())
+    })?;
+    Ok(places)
 }
 
 fn layout(scenario: &Scenario, resolution: usize) -> rangelab::Result<FieldLayout> {

@@ -7,6 +7,7 @@ mod field;
 mod place;
 
 pub use field::{
-    explore, field_layout, field_parameters, field_probe, field_program, field_rows, size_curve,
+    explore, field_layout, field_parameters, field_probe, field_program, field_rows, mounting_cloud,
+    size_curve,
 };
 pub use place::{advise, improve};

@@ -23,3 +23,21 @@ pub fn advise(scenario: &str) -> Result<String, JsError> {
 pub fn improve(scenario: &str, restart: u32) -> Result<String, JsError> {
     Ok(json(&rangelab::place::improve(&Scenario::from_json(scenario)?, u64::from(restart))?))
 }
+
+/// What one more anchor would be worth at a point of the world (D coordinates, m): the JSON of the crate's `NextPlace`.
+///
+/// # Errors
+/// A sentence for a bad scenario or point.
+#[wasm_bindgen]
+pub fn next_at(scenario: &str, point: &[f64]) -> Result<String, JsError> {
+    Ok(json(&rangelab::place::next_at(&Scenario::from_json(scenario)?, point)?))
+}
+
+/// Where in the plane of the scenario's field one more anchor helps most: the JSON of the crate's `NextPlace`, or null.
+///
+/// # Errors
+/// A sentence with every problem of the scenario.
+#[wasm_bindgen]
+pub fn best_next(scenario: &str) -> Result<String, JsError> {
+    Ok(json(&rangelab::place::best_next(&Scenario::from_json(scenario)?)?))
+}

@@ -2,6 +2,8 @@
 
 use noto_sans_mono_bitmap::{FontWeight, RasterHeight, get_raster, get_raster_width};
 
+use super::colours::{INK, PAPER};
+
 /// Red, green, blue.
 pub type Colour = [u8; 3];
 
@@ -9,6 +11,13 @@ pub struct Canvas {
     pub width: usize,
     pub height: usize,
     pixels: Vec<Colour>,
+}
+
+/// How a line is drawn: with so many pixels on either side of its middle, in dashes of so many pixels.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub struct Stroke {
+    pub half: usize,
+    pub dash: Option<usize>,
 }
 
 /// Height of a letter.
@@ -88,6 +97,32 @@ impl Canvas {
         self.fill(Frame { top: top + height - 1, height: 1, ..frame }, colour);
     }
 
+    /// The part of a straight line that lies in the frame, dark with a light rim. Its ends are parts of the frame's width and
+    /// of its height from below.
+    pub fn line(&mut self, frame: Frame, from: [f64; 2], to: [f64; 2], stroke: Stroke) {
+        let Some([from, to]) = within_frame(from, to) else { return };
+        let ([x, y], [i, j]) = (frame.pixel(from), frame.pixel(to));
+        let pixels = x.abs_diff(i).max(y.abs_diff(j)).max(1);
+        for (half, colour) in [(stroke.half + 1, PAPER), (stroke.half, INK)] {
+            for k in 0..=pixels {
+                if stroke.dash.is_some_and(|dash| k / dash % 2 == 1) {
+                    continue;
+                }
+                let share = k as f64 / pixels as f64;
+                let [x, y] =
+                    frame.pixel(core::array::from_fn(|axis| from[axis] + share * (to[axis] - from[axis])));
+                self.dot(frame, [x, y], half, colour);
+            }
+        }
+    }
+
+    /// A square of pixels about one, as far as it lies in the frame.
+    fn dot(&mut self, frame: Frame, [x, y]: [usize; 2], half: usize, colour: Colour) {
+        let (left, top) = (x.saturating_sub(half).max(frame.left), y.saturating_sub(half).max(frame.top));
+        let (right, bottom) = ((x + half + 1).min(frame.right()), (y + half + 1).min(frame.bottom()));
+        self.fill(Frame { left, top, width: right - left, height: bottom - top }, colour);
+    }
+
     /// A text with its upper left corner there. Letters that the font lacks become question marks.
     pub fn text(&mut self, [x, y]: [usize; 2], text: &str, colour: Colour) {
         let raster = |letter| get_raster(letter, FontWeight::Regular, RasterHeight::Size16);
@@ -109,6 +144,25 @@ impl Canvas {
             *pixel = mixed(*pixel, colour, f64::from(strength) / 255.0);
         }
     }
+}
+
+/// The part of a line whose coordinates are all from 0 to 1 (Liang and Barsky).
+fn within_frame(from: [f64; 2], to: [f64; 2]) -> Option<[[f64; 2]; 2]> {
+    let (mut first, mut last) = (0.0_f64, 1.0_f64);
+    for axis in 0..2 {
+        let along = to[axis] - from[axis];
+        let [low, high] = [-from[axis], 1.0 - from[axis]];
+        if along == 0.0 {
+            if low > 0.0 || high < 0.0 {
+                return None;
+            }
+            continue;
+        }
+        let (one, other) = (low / along, high / along);
+        (first, last) = (first.max(one.min(other)), last.min(one.max(other)));
+    }
+    let at = |part: f64| core::array::from_fn(|axis| from[axis] + part * (to[axis] - from[axis]));
+    (first <= last).then(|| [at(first), at(last)])
 }
 
 /// Between two colours: the first for a share of 0, the second for 1.

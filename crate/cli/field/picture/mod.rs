@@ -7,6 +7,7 @@ mod colours;
 mod landscape;
 mod legend;
 mod marks;
+mod obstacles;
 pub mod scale;
 
 use std::fmt::Display;
@@ -39,7 +40,8 @@ fn draw(grid: &Grid) -> Canvas {
     let [across, up] = [grid.layout.u, grid.layout.v].map(|edge| length(&edge));
     let pixels = |edge: f64| canvas::cell(edge / across.max(up), EDGE) + 1;
     let frame = Frame { left: LEFT, top: TOP, width: pixels(across), height: pixels(up) };
-    let mut canvas = Canvas::new((frame.right() + RIGHT).max(LEAST_WIDTH), frame.bottom() + BOTTOM, PAPER);
+    let mut canvas =
+        Canvas::new((frame.right() + RIGHT).max(LEAST_WIDTH), frame.bottom() + bottom(grid), PAPER);
     canvas.text([12, 12], &grid.title(), INK);
     canvas.text([12, 34], &grid.subtitle(), INK);
     let scale = Scale::of(grid.values.iter().copied().flatten());
@@ -48,10 +50,22 @@ fn draw(grid: &Grid) -> Canvas {
         landscape::contours(&mut canvas, frame, grid, scale);
         bar::draw(&mut canvas, frame, grid.unit(), scale);
     }
+    obstacles::draw(&mut canvas, frame, grid);
     marks::draw(&mut canvas, frame, grid);
     axes::draw(&mut canvas, frame, grid);
     legend::draw(&mut canvas, frame, grid);
     canvas
+}
+
+/// Room below the field.
+fn bottom(grid: &Grid) -> usize {
+    BOTTOM + if legend::has_second_line(grid) { legend::LINE_HEIGHT } else { 0 }
+}
+
+/// Parts of both edges at which a point is seen along the normal of the plane.
+fn place(grid: &Grid, point: [f64; 3]) -> [f64; 2] {
+    let from_corner = core::array::from_fn(|i| point[i] - grid.layout.corner[i]);
+    [grid.layout.u, grid.layout.v].map(|edge| dot(&from_corner, &edge) / dot(&edge, &edge))
 }
 
 fn encode(canvas: &Canvas, grid: &Grid) -> Result<Vec<u8>, png::EncodingError> {
@@ -78,4 +92,8 @@ fn length(edge: &[f64; 3]) -> f64 {
 
 fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }

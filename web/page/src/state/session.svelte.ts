@@ -1,6 +1,7 @@
 import * as engine from "../engine";
 import { forLab, type Lab, labOf, type LabRun } from "../lab";
 import type { Scenario } from "../scenario";
+import { lowerFirst } from "../words";
 import { readLink, readText, sentenceOf, textOf } from "./document";
 import { scheduleCompute } from "./frames";
 import { History } from "./history";
@@ -231,7 +232,6 @@ export class Session<R extends LabRun = LabRun> {
   }
 
   #travel(what: string): void {
-    this.selected = existing(this.#history.present.scenario, this.selected);
     this.refusal = null;
     this.#show();
     this.#announce(what);
@@ -244,6 +244,7 @@ export class Session<R extends LabRun = LabRun> {
     // A run means nothing to another lab than its own.
     if (lab !== this.lab) this.run = null;
     this.lab = lab;
+    this.selected = existing(this, this.selected);
     this.ready = this.loader.has(lab);
     this.undoes = this.#history.canUndo ? this.#history.present.what : null;
     this.redoes = this.#history.next?.what ?? null;
@@ -308,8 +309,4 @@ export class Session<R extends LabRun = LabRun> {
 
 function notLoaded(lab: Lab, error: unknown): string {
   return `The lab ${lab.title} could not be loaded (${sentenceOf(error).replace(/\.$/, "")}).`;
-}
-
-function lowerFirst(text: string): string {
-  return text.charAt(0).toLowerCase() + text.slice(1);
 }

@@ -9,8 +9,9 @@ import { programOf } from "./field-program";
 import type { Field } from "./field-source";
 import { FieldStore } from "./field-store.svelte";
 import { browserIdle, IdleRefiner } from "./idle-refiner";
+import { inAngles } from "./next-anchor";
 import { PoolRefiner } from "./pool-refiner";
-import { type Ends, SteadyScale } from "./scale";
+import { type Ends, endsOf, scaleOf, SteadyScale } from "./scale";
 
 const source = { layout: fieldLayout, rows: fieldRows };
 const refiner = new PoolRefiner(
@@ -35,23 +36,32 @@ export function picture({
   const opacity = Number(palette.css("field-opacity"));
   const known = pictures.get(field);
   if (known?.opacity === opacity) return known;
-  const { quantity, form } = field.scenario.field;
-  const kind = `${field.scenario.name} ${quantity} ${form}`;
-  const ends = scale.ends(kind, field.values, unitOf(quantity).factor);
-  const made = pictureOf(field, scenario.field, ends, opacity);
+  const ends = scale.ends(kindOf(field.scenario), field.values, freshEnds(field.scenario));
+  const made = pictureOf(field, scenario, ends, opacity);
   pictures.set(field, made);
   return made;
 }
 
-function pictureOf(field: Field, settings: Scenario["field"], ends: Ends, opacity: number): FieldPicture {
+export function pictureOf(field: Field, scenario: Scenario, ends: Ends, opacity: number): FieldPicture {
   const { values, width, height, corner, u, v } = field;
-  const { quantity, position_limit, angle_limit } = settings;
-  const worseThan = quantity === "position" ? position_limit : angle_limit;
-  const program = programOf(field.scenario);
+  const { subject, position_limit, angle_limit } = scenario.field;
+  const worseThan = inAngles(scenario) ? angle_limit : position_limit;
+  const program = subject === "body" ? programOf(field.scenario) : null;
   return { values, width, height, corner, u, v, ...ends, worseThan, opacity, program };
 }
 
-/** What a bound is shown in, and the factor that takes it there. */
-export function unitOf(quantity: Scenario["field"]["quantity"]): { unit: string; factor: number } {
-  return quantity === "position" ? { unit: "m", factor: 1 } : { unit: "deg", factor: DEGREES_PER_RADIAN };
+/** The ends of a scale for these values and no others. */
+export function freshEnds(scenario: Scenario): (values: Float32Array) => Ends {
+  const { factor } = unitOf(scenario);
+  return scenario.field.subject === "body" ? (values) => scaleOf(values, factor) : endsOf;
+}
+
+/** What has a scale in common: numbers of one meaning in one scene. */
+function kindOf({ name, field, placement }: Scenario): string {
+  return [name, field.subject, field.form, field.quantity, placement.target].join();
+}
+
+/** What the field is shown in, and the factor that takes it there. */
+export function unitOf(scenario: Pick<Scenario, "field" | "placement">): { unit: string; factor: number } {
+  return inAngles(scenario) ? { unit: "deg", factor: DEGREES_PER_RADIAN } : { unit: "m", factor: 1 };
 }

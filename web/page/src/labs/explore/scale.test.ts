@@ -25,6 +25,8 @@ test("a field without any bound, and one of a single value, still have a scale",
 const spread = (least: number, most: number) =>
   Float32Array.from({ length: 1000 }, (_, index) => least * (most / least) ** (index / 999));
 
+const round = (values: Float32Array) => scaleOf(values, 1);
+
 describe("a steady scale", () => {
   test("keeps its ends while the values wander over a round number, where a fresh one jumps", () => {
     const steady = new SteadyScale();
@@ -35,7 +37,7 @@ describe("a steady scale", () => {
     const differing = (ends: { low: number; high: number }[]) =>
       new Set(ends.map(({ low, high }) => `${low} ${high}`)).size;
     expect(differing(drag.map((values) => scaleOf(values, 1)))).toBeGreaterThan(1);
-    expect(differing(drag.map((values) => steady.ends("a", values, 1)))).toBe(1);
+    expect(differing(drag.map((values) => steady.ends("a", values, round)))).toBe(1);
   });
 
   test.each([
@@ -44,21 +46,21 @@ describe("a steady scale", () => {
     ["take little of it", spread(0.05, 0.08)],
   ])("gives way where the values %s", (_what, values) => {
     const steady = new SteadyScale();
-    steady.ends("a", spread(0.021, 0.19), 1);
-    expect(steady.ends("a", values, 1)).toEqual(scaleOf(values, 1));
+    steady.ends("a", spread(0.021, 0.19), round);
+    expect(steady.ends("a", values, round)).toEqual(scaleOf(values, 1));
   });
 
   test("is for one kind of values", () => {
     const steady = new SteadyScale();
     const [wide, narrow] = [spread(0.021, 0.19), spread(0.023, 0.095)];
-    expect(steady.ends("a", narrow, 1)).not.toEqual(steady.ends("b", wide, 1));
-    expect(steady.ends("b", narrow, 1)).toEqual(scaleOf(wide, 1));
-    expect(steady.ends("c", narrow, 1)).toEqual(scaleOf(narrow, 1));
+    expect(steady.ends("a", narrow, round)).not.toEqual(steady.ends("b", wide, round));
+    expect(steady.ends("b", narrow, round)).toEqual(scaleOf(wide, 1));
+    expect(steady.ends("c", narrow, round)).toEqual(scaleOf(narrow, 1));
   });
 
   test("stays where no bound is left", () => {
     const steady = new SteadyScale();
-    const ends = steady.ends("a", spread(0.021, 0.19), 1);
-    expect(steady.ends("a", Float32Array.of(1e30), 1)).toEqual(ends);
+    const ends = steady.ends("a", spread(0.021, 0.19), round);
+    expect(steady.ends("a", Float32Array.of(1e30), round)).toEqual(ends);
   });
 });

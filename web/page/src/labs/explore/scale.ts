@@ -11,12 +11,14 @@ export interface Ends {
 const MOST_VALUES = 4096;
 /** The largest values stand beside a body that loses its last range: they would take all of the scale. */
 const SHOWN_SHARE = 0.97;
-/** Ends stay while the values reach no farther beyond them than by this factor, */
-const MOST_BEYOND = 1.25;
-/** and while they take at least this share of the scale, as it is drawn: of its logarithm. */
+/** The ends differ at least by this factor, or rounding would be coloured. */
+const LEAST_RATIO = 1.02;
+/** Ends stay while the values reach no farther beyond either of them than by this share of the scale as it is drawn, */
+const MOST_BEYOND = 0.1;
+/** and while they take at least this share of it. */
 const LEAST_SHARE = 0.5;
 
-/** The span of most of the bounds; null where there is none. */
+/** The least of the bounds, and the largest but for those few; null where there is none. */
 function spanOf(values: Float32Array): Ends | null {
   const stride = Math.ceil(values.length / MOST_VALUES);
   const bounds = values.filter((value, index) => index % stride === 0 && value < UNBOUNDED).sort();
@@ -26,32 +28,40 @@ function spanOf(values: Float32Array): Ends | null {
 
 /** Round ends of the scale around most of the bounds; `factor` takes the values to the unit that is round. */
 export function scaleOf(values: Float32Array, factor: number): Ends {
-  return roundEnds(spanOf(values), factor);
-}
-
-function roundEnds(span: Ends | null, factor: number): Ends {
+  const span = spanOf(values);
   if (span === null) return { low: 0.01 / factor, high: 1 / factor };
   const low = niceBelow(Math.max(span.low * factor, 1e-12));
   return { low: low / factor, high: niceAbove(Math.max(span.high * factor, 2 * low)) / factor };
 }
 
-/** Whether a scale still shows the values well: nothing jumps while an anchor is dragged over a round number. */
-function suits({ low, high }: Ends, span: Ends | null): boolean {
-  if (span === null) return true;
-  const inside = span.low * MOST_BEYOND >= low && span.high <= high * MOST_BEYOND;
-  return inside && Math.log(span.high / span.low) >= LEAST_SHARE * Math.log(high / low);
+/** The ends of a scale that takes all its colours for the numbers there are: one more anchor often changes little. */
+export function endsOf(values: Float32Array): Ends {
+  const span = spanOf(values);
+  if (span === null) return { low: 0.01, high: 1 };
+  return { low: span.low, high: Math.max(span.high, LEAST_RATIO * span.low) };
 }
 
-/** A scale that keeps its ends as long as they suit the values; those of another kind get ends of their own. */
+/** Whether a scale still shows the values well. */
+function suits({ low, high }: Ends, values: Float32Array): boolean {
+  const span = spanOf(values);
+  if (span === null) return true;
+  const length = Math.log(high / low);
+  const [below, above] = [Math.log(low / span.low), Math.log(span.high / high)];
+  return Math.max(below, above) <= MOST_BEYOND * length && length + below + above >= LEAST_SHARE * length;
+}
+
+/**
+ * A scale that keeps its ends as long as they suit the values, so that colours and numbers do not jump while an anchor is
+ * dragged over a round number. Values of another kind get ends of their own.
+ */
 export class SteadyScale {
   #kind = "";
   #ends: Ends | null = null;
 
-  ends(kind: string, values: Float32Array, factor: number): Ends {
-    const span = spanOf(values);
-    const keep = kind === this.#kind && this.#ends !== null && suits(this.#ends, span);
+  ends(kind: string, values: Float32Array, fresh: (values: Float32Array) => Ends): Ends {
+    const last = kind === this.#kind ? this.#ends : null;
     this.#kind = kind;
-    return (this.#ends = keep ? this.#ends! : roundEnds(span, factor));
+    return (this.#ends = last && suits(last, values) ? last : fresh(values));
   }
 }
 

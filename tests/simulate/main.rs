@@ -1,6 +1,7 @@
 //! Simulated data against the laws they are drawn from: moments within their standard errors, draws that are common.
 
-#[path = "support/statistics.rs"]
+mod mounting;
+#[path = "../support/statistics.rs"]
 mod statistics;
 
 use rangelab::math::float::{ratio_from_db, sqrt};
@@ -160,7 +161,7 @@ fn trials_seeds_and_neighbouring_streams_are_independent() {
     };
     let mut streams = Vec::new();
     for (seed, trial) in [(0, 0), (0, 1), (1, 0), (1, 1), (2, 0), (u64::MAX, 7)] {
-        for part in [Part::Anchors, Part::Motion, Part::Epoch(0), Part::Epoch(1)] {
+        for part in [Part::Anchors, Part::Motion, Part::Epoch(0), Part::Epoch(1), Part::Mounting] {
             streams.push(normals(seed, trial, part));
         }
     }
