@@ -2,11 +2,8 @@
 
 mod command;
 mod field;
-<<<<<<< HEAD
 mod figure;
-=======
 mod localize;
->>>>>>> localize
 mod place;
 mod refusals;
 

@@ -1,12 +1,7 @@
 //! What the marks and hatches mean.
 
 use super::colours::{INK, NO_BOUND, PAPER, cross_hatched, hatched};
-<<<<<<< HEAD
-use super::marks;
-=======
-use super::scale::short;
 use super::{marks, obstacles};
->>>>>>> localize
 use crate::cli::field::grid::Grid;
 use crate::cli::picture::canvas::{Canvas, Colour, Frame, LINE, text_width};
 use crate::cli::picture::scale::short;

@@ -6,11 +6,7 @@ mod colours;
 mod landscape;
 mod legend;
 mod marks;
-<<<<<<< HEAD
-=======
 mod obstacles;
-pub mod scale;
->>>>>>> localize
 
 use std::fmt::Display;
 
@@ -59,8 +55,6 @@ fn draw(grid: &Grid) -> Canvas {
     canvas
 }
 
-<<<<<<< HEAD
-=======
 /// Room below the field.
 fn bottom(grid: &Grid) -> usize {
     BOTTOM + if legend::has_second_line(grid) { legend::LINE_HEIGHT } else { 0 }
@@ -72,21 +66,6 @@ fn place(grid: &Grid, point: [f64; 3]) -> [f64; 2] {
     [grid.layout.u, grid.layout.v].map(|edge| dot(&from_corner, &edge) / dot(&edge, &edge))
 }
 
-fn encode(canvas: &Canvas, grid: &Grid) -> Result<Vec<u8>, png::EncodingError> {
-    let side = |pixels: usize| u32::try_from(pixels).map_err(|_| png::EncodingError::LimitsExceeded);
-    let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, side(canvas.width)?, side(canvas.height)?);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    encoder.add_itxt_chunk("Title".to_owned(), grid.title())?;
-    encoder.add_itxt_chunk("Scenario".to_owned(), grid.scenario.to_json())?;
-    let mut writer = encoder.write_header()?;
-    writer.write_image_data(canvas.bytes())?;
-    writer.finish()?;
-    Ok(bytes)
-}
-
->>>>>>> localize
 fn unwritten(error: impl Display) -> Failure {
     Failure::Other(format!("the picture cannot be made: {error}"))
 }

@@ -5,12 +5,11 @@ use rangelab::study::figures::report::{Curve, CurveKind};
 
 use super::drawing::{Group, Place, Shape};
 use crate::cli::picture::canvas::Colour;
+pub use crate::cli::picture::colours::{INK, PAPER};
 
-pub const INK: Colour = [0x16, 0x19, 0x1f];
 pub const SOFT: Colour = [0x4b, 0x53, 0x60];
 pub const FRAME: Colour = [0xc9, 0xce, 0xd6];
 pub const GRID: Colour = [0xd5, 0xd9, 0xe0];
-pub const PAPER: Colour = [0xff, 0xff, 0xff];
 pub const WARNING: Colour = [0x8a, 0x32, 0x00];
 const BOUND: Colour = [0x4b, 0x53, 0x60];
 
