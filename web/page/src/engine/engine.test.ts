@@ -41,7 +41,7 @@ describe("after a trap", () => {
     expect(() => engine.track(room)).toThrow(engine.EngineTrap);
     expect(() => engine.track(room)).toThrow("has to be started again");
     traps = false;
-    await engine.restartEngine();
+    engine.restartEngine();
     expect(instances).toBe(2);
     expect(engine.track(room)).toEqual(before);
     expect(() => study.read()).toThrow("stale");

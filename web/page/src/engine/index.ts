@@ -14,8 +14,7 @@ export * from "./track";
 /** By the folder below `wasm/` that each is built into. */
 export const modules = { track: trackModule, explore: exploreModule };
 
-/** Fresh instances, after a trap; not before what trapped has ended. Studies begun in the old ones are lost with them. */
-export async function restartEngine(): Promise<void> {
-  await Promise.resolve();
+/** Fresh instances, after a trap. Studies begun in the old ones are lost with them. */
+export function restartEngine(): void {
   for (const module of Object.values(modules)) module.restart();
 }

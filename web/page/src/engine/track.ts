@@ -14,8 +14,16 @@ export const trackModule = new EngineModule(wasm, url);
 /** One thing that is wrong with a scenario, and its sentence. */
 export type Complaint = Problem & { message: string };
 
-export function presets(): Preset[] {
-  return JSON.parse(trackModule.call(() => wasm.presets()));
+/** What never changes is asked for once: it is there even while the engine is broken. */
+const constants = new Map<string, unknown>();
+
+function constant<T>(key: string, ask: () => string): T {
+  if (!constants.has(key)) constants.set(key, JSON.parse(trackModule.call(ask)));
+  return constants.get(key) as T;
+}
+
+export function presets(): readonly Preset[] {
+  return constant("presets", () => wasm.presets());
 }
 
 export function preset(name: string): Scenario {
@@ -23,8 +31,8 @@ export function preset(name: string): Scenario {
 }
 
 /** The bodies that have a name, their two farthest sensors 1 m apart. */
-export function topologies(dimension: number): NamedTopology[] {
-  return JSON.parse(trackModule.call(() => wasm.topologies(dimension)));
+export function topologies(dimension: number): readonly NamedTopology[] {
+  return constant(`topologies ${dimension}`, () => wasm.topologies(dimension));
 }
 
 export function validate(scenario: unknown): Complaint[] {

@@ -280,7 +280,9 @@ export class Session<R extends LabRun = LabRun> {
       this.failure = "The engine stops at every scene. Reload the page; the scene is kept.";
       return;
     }
-    await engine.restartEngine();
+    // At once: the page may ask it before the next frame. What follows waits for the task that broke to end.
+    engine.restartEngine();
+    await Promise.resolve();
     if (this.#traps > 1) this.#retreat();
     scheduleCompute(this.#compute);
   }

@@ -1,6 +1,6 @@
 import { type EngineModule, exploreModule, trackModule } from "../engine";
 import type { Improvement } from "../generated/Improvement";
-import type { Block, Search, Sums } from "./messages";
+import type { Block, FieldRows, RowValues, Search, Sums } from "./messages";
 import type { PoolWorker } from "./pool";
 
 /** The first picture has this many blocks: more workers would have nothing to do. */
@@ -23,6 +23,11 @@ export function startPlaceWorker(): PoolWorker<Search, Improvement> {
     new Worker(new URL("./place-worker.ts", import.meta.url), { type: "module", name: "place" }),
     exploreModule,
   );
+}
+
+export function startFieldWorker(): PoolWorker<FieldRows, RowValues> {
+  const worker = new Worker(new URL("./field-worker.ts", import.meta.url), { type: "module", name: "field" });
+  return loaded(worker, exploreModule);
 }
 
 function loaded(worker: Worker, engine: EngineModule): Worker {

@@ -16,6 +16,12 @@ test("a scenario has one program, 512 cells along its longer edge", () => {
   expect(programOf(moved).parameters).not.toEqual(program.parameters);
 });
 
+test("nothing is worked out before it is read", () => {
+  const program = programOf({ ...preset("room"), anchors: [] });
+  expect(program.key).toContain("3");
+  expect(() => program.parameters).toThrow("anchors");
+});
+
 test("programs of one key have the text that the engine gives, whatever else differs", () => {
   const texts = new Map<string, string>();
   for (const { name } of presets())

@@ -3,7 +3,8 @@ import { advise, fieldLayout, fieldRows, nextAt, preset } from "../../engine";
 import { loadEngineForTests } from "../../engine/testing";
 import type { Scenario } from "../../scenario";
 import { UNBOUNDED } from "../../scene/field";
-import { endsOf, pictureOf, unitOf } from "./fields";
+import { freshEnds, pictureOf, unitOf } from "./fields";
+import { endsOf } from "./scale";
 import { bestNextOf, fieldTitle, gain, inAngles, shownOf, withNextAnchor, withShown } from "./next-anchor";
 
 beforeAll(loadEngineForTests);
@@ -70,7 +71,12 @@ test("a graphics device is not asked for it, and the scale is as wide as the num
   const scenario = room();
   const layout = fieldLayout(scenario, 16);
   const values = fieldRows(scenario, 16, 0, layout.height);
-  const picture = pictureOf({ ...layout, scenario, resolution: 16, values }, scenario, 1);
+  const picture = pictureOf(
+    { ...layout, scenario, resolution: 16, values },
+    scenario,
+    freshEnds(scenario)(values),
+    1,
+  );
   expect(picture.program).toBeNull();
   expect(picture.low).toBeLessThanOrEqual(Math.min(...values));
   expect(picture.high / picture.low).toBeLessThan(1.2);

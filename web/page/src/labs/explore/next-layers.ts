@@ -16,5 +16,5 @@ export function nextLabels({ run }: { run: ExploreRun | null }): Label[] {
   if (!run?.next) return [];
   const { point, before, after, unit } = run.next;
   const text = `best next anchor: ${formatValue(before, unit)} now, ${formatValue(after, unit)} here`;
-  return [{ id: "next anchor", at: lift(point), text, kind: "start" }];
+  return [{ id: "next anchor", at: lift(point), text, kind: "name" }];
 }
