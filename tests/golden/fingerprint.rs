@@ -1,4 +1,5 @@
 //! A short fingerprint of every number of a run, the same natively and in the browser only if every bit is.
+#![allow(dead_code, reason = "each module's test uses its own part")]
 
 use rangelab::bounds::field::{Field, FieldLayout, layout_of};
 use rangelab::math::rotation::Manifold;

@@ -56,7 +56,7 @@ struct LocalizerChoices {
     #[arg(long, value_name = "GROUP", value_parser = PossibleValuesParser::new(["so", "o"]))]
     group: Option<String>,
 
-    /// ouc-tls: standard deviation of the mounting errors that it assumes, m [default: the scenario's mounting_sigma]
+    /// ouc-tls: standard deviation of the mounting errors that it assumes, m [default: those of the scenario]
     #[arg(long, value_name = "METRES", allow_negative_numbers = true)]
     tls_sigma: Option<f64>,
 

@@ -97,5 +97,5 @@ pub fn csv(run: &SnapshotRun) -> String {
         let figures = [b.orientation, b.angle, b.position, Some(b.sensors)].map(number);
         rows.push(format!("bound,{},{},,,", b.name, figures.join(",")));
     }
-    rows.iter().map(|row| format!("{row}\n")).collect()
+    rows.join("\n")
 }
