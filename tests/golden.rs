@@ -8,9 +8,13 @@ mod fingerprint;
 use std::fs;
 use std::path::PathBuf;
 
-use fingerprint::{fingerprints, geometry_fingerprints, snapshot_fingerprints, study_fingerprint};
+use fingerprint::{
+    figure_fingerprints, fingerprints, geometry_fingerprints, snapshot_fingerprints, study_fingerprint,
+};
 use rangelab::model::presets::{PRESETS, Preset, preset};
 use rangelab::model::run::Run;
+use rangelab::study::figures::figure;
+use rangelab::study::figures::plan::FigurePlan;
 use rangelab::study::monte_carlo::MonteCarlo;
 use rangelab::study::track_run::run_scenario;
 
@@ -64,6 +68,28 @@ fn studies_give_the_same_bits_as_ever() {
     assert_eq!(studies(), include_str!("golden/studies.txt"));
 }
 
+/// As workers do it: every block travels as a row of numbers.
+fn figures() -> String {
+    let plan = |name: &str, trials, seed| FigurePlan::new(figure(name).unwrap(), trials, seed).unwrap();
+    figure_fingerprints(
+        |name, trials, seed| {
+            let plan = plan(name, trials, seed);
+            (0..plan.jobs()).map(|job| plan.to_numbers(&plan.job(job).unwrap())).collect()
+        },
+        |name, trials, seed, blocks| {
+            let plan = plan(name, trials, seed);
+            let mut sum = plan.start();
+            blocks.iter().for_each(|block| sum.merge(&plan.from_numbers(block).unwrap()).unwrap());
+            plan.report(&sum).unwrap().to_json()
+        },
+    )
+}
+
+#[test]
+fn figures_give_the_same_bits_as_ever() {
+    assert_eq!(figures(), include_str!("golden/figures.txt"));
+}
+
 #[test]
 fn fields_and_placements_give_the_same_bits_as_ever() {
     assert_eq!(geometry_fingerprints(), include_str!("golden/geometry.txt"));
@@ -82,6 +108,7 @@ fn write_the_golden_files() {
     }
     let beside = |name: &str| file(&PRESETS[0]).with_file_name(name);
     fs::write(beside("studies.txt"), studies()).unwrap();
+    fs::write(beside("figures.txt"), figures()).unwrap();
     fs::write(beside("geometry.txt"), geometry_fingerprints()).unwrap();
     fs::write(beside("snapshots.txt"), snapshot_fingerprints()).unwrap();
 }

@@ -103,6 +103,20 @@ pub fn study_fingerprint(name: &str, numbers: &[f64]) -> String {
     line(name, |hash| hash.numbers(numbers))
 }
 
+/// A line for the blocks of each of these figures, as rows of numbers, and one for what the sum of them says.
+pub fn figure_fingerprints(
+    blocks: impl Fn(&str, usize, u64) -> Vec<Vec<f64>>,
+    json: impl Fn(&str, usize, u64, &[Vec<f64>]) -> String,
+) -> String {
+    let each = |(name, trials, seed)| {
+        let blocks = blocks(name, trials, seed);
+        let text = json(name, trials, seed, &blocks);
+        line(&format!("blocks of {name}"), |hash| hash.numbers(blocks.iter().flatten()))
+            + &line(&format!("report of {name}"), |hash| hash.bytes(text.as_bytes()))
+    };
+    [("tracking-3", 27, 2), ("localization-6", 3, 2)].map(each).concat()
+}
+
 /// A line for the field, one for the next anchor and one for better anchors, of a scenario in the plane and of two in space.
 pub fn geometry_fingerprints() -> String {
     let each = |name: &str| {

@@ -1,6 +1,5 @@
 //! `rangelab figure`: a figure of a paper, computed, with what holds of what is claimed about it.
 
-mod columns;
 mod picture;
 mod table;
 
@@ -70,8 +69,8 @@ impl FigureCommand {
         let report = self.report(name)?;
         match self.format() {
             FigureFormat::Text => self.output.write(&table::text(&report)),
-            FigureFormat::Json => self.output.write(&json(&report)),
-            FigureFormat::Csv => self.output.write(&columns::csv(&report)),
+            FigureFormat::Json => self.output.write(&report.to_json()),
+            FigureFormat::Csv => self.output.write(&report.to_csv()),
             FigureFormat::Svg => self.output.write(&picture::svg(&report)),
             FigureFormat::Png => self.output.write_bytes(&picture::png(&report)?),
         }
@@ -93,10 +92,6 @@ impl FigureCommand {
         let ending = || FigureFormat::from_str(self.output.extension()?, true).ok();
         self.format.or_else(ending).unwrap_or(FigureFormat::Text)
     }
-}
-
-fn json(report: &FigureReport) -> String {
-    serde_json::to_string(report).expect("numbers and texts always have a JSON form")
 }
 
 fn list() -> String {

@@ -5,6 +5,7 @@
 
 mod caption;
 pub mod claim;
+mod csv;
 pub mod experiment;
 mod extreme;
 mod jackknife;

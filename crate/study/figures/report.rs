@@ -132,6 +132,14 @@ pub struct NamedScenario {
 }
 
 impl FigureReport {
+    /// The JSON text, in one line.
+    ///
+    /// # Panics
+    /// Never: numbers and texts always have a JSON form.
+    pub fn to_json(&self) -> String {
+        serde_json::to_string(self).expect("numbers and texts always have a JSON form")
+    }
+
     /// Paper, number and title in one line.
     pub fn heading(&self) -> String {
         alloc::format!("{}: {}", self.paper, self.title)
