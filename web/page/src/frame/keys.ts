@@ -18,6 +18,7 @@ export function globalKeys(event: KeyboardEvent, workspace: Workspace): void {
     "[": () => timeline.toMark(marks(), -1),
     "]": () => timeline.toMark(marks(), 1),
     l: () => (timeline.loop = !timeline.loop),
+    r: () => (workspace.figuresOpen = true),
     "?": () => (workspace.helpOpen = true),
   };
   if (!(event.key in actions)) return;

@@ -14,17 +14,18 @@ export class PlotCursor {
   }
 
   get timed(): boolean {
-    return this.#axis().now === null;
+    return this.#axis().timed;
   }
 
   get last(): number {
     return this.#axis().values.length - 1;
   }
 
-  /** Where the scenario lies: a step of the run, or the step nearest to its own value. */
+  /** Where the scenario lies: a step of the run, or the step nearest to its own value; the first where it lies nowhere. */
   get now(): number {
     const axis = this.#axis();
-    return Math.min(axis.now === null ? this.#timeline.step : nearestStep(axis, axis.now), this.last);
+    if (axis.timed) return Math.min(this.#timeline.step, this.last);
+    return axis.now === null ? 0 : nearestStep(axis, axis.now);
   }
 
   get pointed(): number | null {

@@ -82,7 +82,7 @@ function acrossAxis(look: () => Look): uPlot.Axis {
     size: 1.7 * palette.fontSize,
     splits: (plot, _axis, low, high) => ticks([low, high], look().spec.x.scale, most(plot)),
     filter: (_plot, splits) => splits,
-    values: (_plot, splits) => splits.map((value) => `${tickLabel(value)} ${look().spec.x.unit}`),
+    values: (_plot, splits) => splits.map((value) => `${tickLabel(value)} ${look().spec.x.unit}`.trim()),
   };
 }
 

@@ -34,7 +34,7 @@ describe("a logarithmic axis", () => {
   });
 
   test("cuts nothing off along anything but time", () => {
-    const size: PlotAxis = { ...spec(1).x, name: "size", now: 1 };
+    const size: PlotAxis = { ...spec(1).x, name: "size", timed: false, now: 1 };
     expect(valueRange({ ...spec(1e-5, 0.9), x: size }, "log")).toEqual([1e-5, 1]);
   });
 

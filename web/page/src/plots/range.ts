@@ -17,7 +17,7 @@ export function valueRange(spec: Values, scale: ScaleKind): Range {
 function logRange(spec: Values): Range {
   const [low, high] = extent(spec, (value) => value > 0);
   if (high === -Infinity) return [0.1, 1];
-  const cut = spec.x.now === null ? Math.max(low, high / 10 ** MOST_DECADES) : low;
+  const cut = spec.x.timed ? Math.max(low, high / 10 ** MOST_DECADES) : low;
   const [bottom, top] = [roundDown(cut), roundUp(high)];
   return top > bottom ? [bottom, top] : [bottom / 2, top * 2];
 }

@@ -48,12 +48,14 @@ export interface PlotAxis {
   readonly unit: string;
   readonly values: Float64Array;
   readonly scale: ScaleKind;
-  /** Where the scenario lies on it; null for time, along which the timeline's cursor goes. */
+  /** Whether it is the run's time, along which the timeline's cursor goes. */
+  readonly timed: boolean;
+  /** Where the scenario lies on it; null for time, and where it lies nowhere. */
   readonly now: number | null;
 }
 
 export function timeAxis(times: Float64Array): PlotAxis {
-  return { name: "time", unit: "s", values: times, scale: "linear", now: null };
+  return { name: "time", unit: "s", values: times, scale: "linear", timed: true, now: null };
 }
 
 export interface PlotSpec {
@@ -88,8 +90,8 @@ export function titleWithUnit({ title, unit }: Pick<PlotSpec, "title" | "unit">)
 
 /** Where a step lies: "step 3, 0.300 s" or "size 0.500 m". */
 export function placeOf({ x }: Pick<PlotSpec, "x">, step: number): string {
-  const place = `${formatReading(x.values[step])} ${x.unit}`;
-  return x.now === null ? `step ${step + 1}, ${place}` : `${x.name} ${place}`;
+  const place = `${formatReading(x.values[step])} ${x.unit}`.trim();
+  return x.timed ? `step ${step + 1}, ${place}` : `${x.name} ${place}`;
 }
 
 export function withUnit(name: string, unit: string): string {

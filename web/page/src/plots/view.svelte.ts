@@ -2,9 +2,6 @@ import { getContext, setContext } from "svelte";
 import { keep, recall } from "../state/storage";
 import type { PlotSpec, ScaleKind } from "./spec";
 
-/** Where the choices are remembered. */
-const STORED = "plots";
-
 interface Choices {
   /** Plots that are left out. */
   hidden: string[];
@@ -15,9 +12,14 @@ interface Choices {
 export class PlotsView {
   /** The plot that has all the room, or null. */
   enlarged: string | null = $state(null);
-  #choices: Choices = $state(readChoices());
+  #choices: Choices = $state({ hidden: [], scales: {} });
   /** The latest choice last: where room is short, it is shown. */
   #recent: string[] = $state([]);
+
+  /** `stored` is where the choices are remembered. */
+  constructor(private readonly stored = "plots") {
+    this.#choices = readChoices(stored);
+  }
 
   scaleOf(spec: PlotSpec): ScaleKind {
     return this.#choices.scales[spec.name] ?? spec.scale;
@@ -51,14 +53,14 @@ export class PlotsView {
   }
 
   #store(): void {
-    keep(STORED, JSON.stringify(this.#choices));
+    keep(this.stored, JSON.stringify(this.#choices));
   }
 }
 
 /** What was stored by hand or by an older page may be anything. */
-function readChoices(): Choices {
+function readChoices(key: string): Choices {
   try {
-    const stored = JSON.parse(recall(STORED) ?? "{}") as Partial<Choices>;
+    const stored = JSON.parse(recall(key) ?? "{}") as Partial<Choices>;
     const hidden = Array.isArray(stored.hidden) ? stored.hidden : [];
     const scales = Object.entries(stored.scales ?? {}).filter(
       ([, scale]) => scale === "log" || scale === "linear",

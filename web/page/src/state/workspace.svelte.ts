@@ -39,6 +39,8 @@ export class Workspace<R extends LabRun = LabRun> {
     return readPalette(this.theme);
   });
   helpOpen = $state(false);
+  /** Whether the papers' figures are asked for. */
+  figuresOpen = $state(false);
   /** What is under the pointer. */
   hovered: Thing | null = $state(null);
   /** The line of sight through the pointer, while it is over the scene of a lab with a field. */

@@ -1,3 +1,4 @@
+import type { FigureOrder } from "../figure";
 import type { Scenario } from "../scenario";
 
 /** Trials that one worker runs at a time. */
@@ -9,6 +10,12 @@ export interface Block {
 
 /** What a block of trials adds to a study. */
 export type Sums = Float64Array<ArrayBuffer>;
+
+/** One job of a figure, from 0. */
+export interface FigureJob {
+  readonly order: FigureOrder;
+  readonly job: number;
+}
 
 /** One search for better places of the anchors. */
 export interface Search {

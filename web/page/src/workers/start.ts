@@ -1,6 +1,6 @@
-import { type EngineModule, exploreModule, trackModule } from "../engine";
+import { type EngineModule, exploreModule, figuresModule, trackModule } from "../engine";
 import type { Improvement } from "../generated/Improvement";
-import type { Block, FieldRows, RowValues, Search, Sums } from "./messages";
+import type { Block, FieldRows, FigureJob, RowValues, Search, Sums } from "./messages";
 import type { PoolWorker } from "./pool";
 
 /** The first picture has this many blocks: more workers would have nothing to do. */
@@ -15,6 +15,13 @@ export function startStudyWorker(): PoolWorker<Block, Sums> {
   return loaded(
     new Worker(new URL("./study-worker.ts", import.meta.url), { type: "module", name: "study" }),
     trackModule,
+  );
+}
+
+export function startFigureWorker(): PoolWorker<FigureJob, Sums> {
+  return loaded(
+    new Worker(new URL("./figure-worker.ts", import.meta.url), { type: "module", name: "figure" }),
+    figuresModule,
   );
 }
 

@@ -24,7 +24,7 @@ export function sizePlot(curves: SizeCurves, form: RangeForm): PlotSpec {
     title: "Orientation bound by size",
     shortTitle: "Body size",
     unit: "deg",
-    x: { name: "size", unit: "m", values: sizes, scale: "log", now: size },
+    x: { name: "size", unit: "m", values: sizes, scale: "log", timed: false, now: size },
     lines,
     bands: [],
     threshold: null,

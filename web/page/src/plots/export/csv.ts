@@ -26,7 +26,7 @@ interface Column {
 function columnsOf({ x, lines, threshold, unit }: PlotSpec): Column[] {
   const inUnit = (name: string) => withUnit(name, unit);
   const columns: Column[] = [{ name: withUnit(x.name, x.unit), at: (step) => x.values[step] }];
-  if (x.now === null) columns.unshift({ name: "step", at: (step) => step + 1 });
+  if (x.timed) columns.unshift({ name: "step", at: (step) => step + 1 });
   for (const { label, values, standardErrors, events } of lines) {
     columns.push({ name: inUnit(label), at: (step) => values[step] });
     if (standardErrors)

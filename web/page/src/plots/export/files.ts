@@ -24,25 +24,32 @@ export async function savePlot(
   const content = {
     csv: async () => new Blob([writeCsv(spec, origin)], { type: "text/csv" }),
     svg: async () => new Blob([writeSvg(spec, scale, palette, origin)], { type: "image/svg+xml" }),
-    png: async () => paint(writeSvg(spec, scale, palette, origin), origin),
+    png: async () => {
+      const texts = { Software: "rangelab", Source: origin.link, Description: ascii(describeOrigin(origin)) };
+      return paint(writeSvg(spec, scale, palette, origin), WIDTH, HEIGHT, texts);
+    },
   };
   saveFile(name, await content[format]());
   return name;
 }
 
-/** The SVG drawing as pixels, with the scenario's link among the texts of the file. */
-async function paint(svg: string, origin: Origin): Promise<Blob> {
+/** An SVG drawing as pixels, with ASCII texts in the file that say where it comes from. */
+export async function paint(
+  svg: string,
+  width: number,
+  height: number,
+  texts: Record<string, string>,
+): Promise<Blob> {
   const address = URL.createObjectURL(new Blob([svg], { type: "image/svg+xml" }));
   try {
     const image = new Image();
     image.src = address;
     await image.decode();
-    const canvas = new OffscreenCanvas(SHARPNESS * WIDTH, SHARPNESS * HEIGHT);
+    const canvas = new OffscreenCanvas(SHARPNESS * width, SHARPNESS * height);
     const context = canvas.getContext("2d");
     if (!context) throw new Error("The browser gives no canvas to paint the picture on.");
     context.drawImage(image, 0, 0, canvas.width, canvas.height);
     const pixels = await canvas.convertToBlob({ type: "image/png" });
-    const texts = { Software: "rangelab", Source: origin.link, Description: ascii(describeOrigin(origin)) };
     const bytes = withTexts(new Uint8Array(await pixels.arrayBuffer()), texts);
     return new Blob([bytes], { type: "image/png" });
   } finally {
@@ -50,6 +57,9 @@ async function paint(svg: string, origin: Origin): Promise<Blob> {
   }
 }
 
-function ascii(text: string): string {
-  return text.replace(/[“”]/g, '"').replace(/[^ -~]/g, "?");
+export function ascii(text: string): string {
+  return text
+    .replace(/[“”]/g, '"')
+    .replaceAll("±", "+-")
+    .replace(/[^ -~]/g, "?");
 }

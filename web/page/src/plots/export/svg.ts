@@ -21,30 +21,59 @@ type Attributes = Record<string, string | number>;
 
 /** A plot as vectors with selectable text: title, axes, lines with their marks, key, and where it comes from. */
 export function writeSvg(spec: PlotSpec, scale: ScaleKind, palette: Palette, origin: Origin): string {
-  const picture = new Picture(spec, scale, palette);
   const description = [describeOrigin(origin), ...remarks(spec), origin.link].join("\n");
+  const style = { "font-size": 13, fill: palette.css("ink-soft") };
+  const caption = element(
+    "text",
+    { x: AXES.left, y: HEIGHT - 14, ...style },
+    escaped(describeOrigin(origin)),
+  );
   const body = [
-    element("title", {}, escaped(titleWithUnit(spec))),
-    element("desc", {}, escaped(description)),
-    element("metadata", {}, escaped(origin.link)),
-    element("rect", { width: "100%", height: "100%", fill: palette.css("surface") }),
+    drawPanel(spec, scale, palette, "axes"),
+    element("a", { href: origin.link, target: "_blank" }, caption),
+  ];
+  return svgFile(palette, WIDTH, HEIGHT, titleWithUnit(spec), description, origin.link, body);
+}
+
+/** Title, axes, lines with their marks, and key: WIDTH by HEIGHT, nothing around it. */
+export function drawPanel(spec: PlotSpec, scale: ScaleKind, palette: Palette, clip: string): string {
+  const picture = new Picture(spec, scale, palette);
+  return [
     picture.text(titleWithUnit(spec), AXES.left, 32, { "font-size": 20, "font-weight": 600 }),
     picture.axes(),
-    `<clipPath id="axes">${element("rect", box())}</clipPath>`,
-    element("g", { "clip-path": "url(#axes)" }, picture.contents()),
+    `<clipPath id="${clip}">${element("rect", box())}</clipPath>`,
+    element("g", { "clip-path": `url(#${clip})` }, picture.contents()),
     element("rect", { ...box(), fill: "none", stroke: palette.css("line") }),
     picture.key(),
-    picture.caption(origin),
+  ].join("\n");
+}
+
+/** A drawing as a file, with a title, a description and data that are not seen. */
+export function svgFile(
+  palette: Palette,
+  width: number,
+  height: number,
+  title: string,
+  description: string,
+  metadata: string,
+  body: readonly string[],
+): string {
+  const all = [
+    element("title", {}, escaped(title)),
+    element("desc", {}, escaped(description)),
+    element("metadata", {}, escaped(metadata)),
+    element("rect", { width: "100%", height: "100%", fill: palette.css("surface") }),
+    ...body,
   ];
   const root = {
     xmlns: "http://www.w3.org/2000/svg",
-    width: WIDTH,
-    height: HEIGHT,
-    viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
+    width,
+    height,
+    viewBox: `0 0 ${width} ${height}`,
     "font-family": palette.css("font").replaceAll('"', "'"),
     "font-size": FONT,
   };
-  return `<?xml version="1.0" encoding="UTF-8"?>\n${element("svg", root, body.join("\n"))}\n`;
+  return `<?xml version="1.0" encoding="UTF-8"?>\n${element("svg", root, all.join("\n"))}\n`;
 }
 
 function box(): Attributes {
@@ -145,12 +174,6 @@ class Picture {
     return rows.join("\n");
   }
 
-  caption(origin: Origin): string {
-    const style = { "font-size": 13, fill: this.palette.css("ink-soft") };
-    const text = this.text(describeOrigin(origin), AXES.left, HEIGHT - 14, style);
-    return element("a", { href: origin.link, target: "_blank" }, text);
-  }
-
   #y(value: number): number {
     const lowest = 1e-3 * this.#projection.values[0];
     return round(this.#projection.y(this.scale === "log" ? Math.max(value, lowest) : value));
@@ -246,7 +269,7 @@ class Picture {
   }
 }
 
-function element(name: string, attributes: Attributes, content = ""): string {
+export function element(name: string, attributes: Attributes, content = ""): string {
   const list = Object.entries(attributes).map(([key, value]) => ` ${key}="${escaped(String(value))}"`);
   return content ? `<${name}${list.join("")}>${content}</${name}>` : `<${name}${list.join("")}/>`;
 }
@@ -255,7 +278,7 @@ function dashes(dash: readonly number[]): Attributes {
   return dash.length > 0 ? { "stroke-dasharray": dash.join(" ") } : {};
 }
 
-function escaped(text: string): string {
+export function escaped(text: string): string {
   return text
     .replaceAll("&", "&amp;")
     .replaceAll("<", "&lt;")
