@@ -50,6 +50,8 @@ export const STATES: readonly State[] = [
   { name: "Explore, planar", preset: "planar", prepare: (lab) => explore(lab) },
   { name: "Explore, handles", prepare: showHandles },
   { name: "Explore, drawings", prepare: openDrawings },
+  { name: "figures", prepare: (lab) => openFigures(lab) },
+  { name: "figure computed", prepare: computeFigure },
 ];
 
 /** The page in that state, theme and size. */
@@ -77,6 +79,19 @@ async function openDrawings(lab: Lab): Promise<void> {
   await explore(lab);
   await lab.page.getByRole("button", { name: "Draw…" }).click();
   await expect(lab.page.getByRole("button", { name: "Draw a wall" })).toBeVisible();
+}
+
+async function openFigures(lab: Lab): Promise<void> {
+  await lab.page.getByRole("button", { name: "Figures", exact: true }).click();
+  await expect(lab.page.getByRole("dialog")).toBeVisible({ timeout: 30_000 });
+}
+
+async function computeFigure(lab: Lab): Promise<void> {
+  await openFigures(lab);
+  const dialog = lab.page.getByRole("dialog");
+  await dialog.getByRole("textbox", { name: "Trials" }).fill("40");
+  await dialog.getByRole("button", { name: "Compute" }).click();
+  await expect(dialog.getByText(/jobs, complete/)).toBeVisible({ timeout: 120_000 });
 }
 
 async function refuse(lab: Lab): Promise<void> {
