@@ -1,0 +1,54 @@
+import { beforeAll, describe, expect, test } from "vitest";
+import { figureBlock, figureJobs, figures, FigureSum } from "../engine";
+import { loadEngineForTests } from "../engine/testing";
+import type { FigurePicture } from "../figure";
+import type { Palette } from "../theme/palette";
+import { foundWords, targetWords } from "./claims";
+import { figureSvg } from "./files";
+import { keyOf, plotsOf } from "./panels";
+
+const palette = { css: (token: string) => (token === "font" ? '"A", serif' : "#123456") } as Palette;
+
+function computed(name: string, trials: number): FigurePicture {
+  const order = { name, trials, seed: 3 };
+  const sum = new FigureSum(order);
+  for (let job = 0; job < figureJobs(order); job++) sum.push(figureBlock(order, job));
+  return sum.read();
+}
+
+beforeAll(loadEngineForTests);
+
+describe("every figure", () => {
+  test("has plots whose curves differ by name and by look", () => {
+    for (const { name } of figures()) {
+      const { report } = computed(name, 2);
+      for (const { lines, x } of plotsOf(report)) {
+        expect(new Set(lines.map((line) => line.name)).size, name).toBe(lines.length);
+        const looks = lines.map(({ token, mark, dash }) => [token, mark, dash].join(" "));
+        expect(new Set(looks).size, `${name}: ${looks.join("; ")}`).toBe(lines.length);
+        expect([...x.values]).toEqual([...x.values].toSorted((a, b) => a - b));
+        for (const line of lines)
+          expect(line.values.some(Number.isFinite), `${name}, ${line.name}`).toBe(true);
+      }
+    }
+  });
+
+  test("is drawn with command, scenarios and claims inside", () => {
+    const { report } = computed("localization-6", 4);
+    const specs = plotsOf(report);
+    const { svg } = figureSvg(report, { specs, scaleOf: (spec) => spec.scale, palette });
+    expect(svg).toContain("rangelab figure localization-6 --trials 4 --seed 3");
+    expect(svg).toContain("&quot;sensors&quot;");
+    for (const { label } of keyOf(specs)) expect(svg).toContain(`>${label}<`);
+    expect(svg).not.toMatch(/NaN|Infinity|undefined/);
+  });
+});
+
+test("numbers and targets read as on the command line", () => {
+  expect(foundWords({ value: 0.11596, standard_error: 0.00213 })).toBe("0.1160 ± 0.0021");
+  expect(foundWords({ value: 1, standard_error: 0 })).toBe("1");
+  expect(foundWords(null)).toBe("no number");
+  expect(targetWords({ least: 0.9, most: 1.1 })).toBe("0.9 to 1.1");
+  expect(targetWords({ least: null, most: 1 })).toBe("at most 1");
+  expect(targetWords({ least: 40, most: null })).toBe("at least 40");
+});
