@@ -79,7 +79,9 @@ fn figures() -> String {
         |name, trials, seed, blocks| {
             let plan = plan(name, trials, seed);
             let mut sum = plan.start();
-            blocks.iter().for_each(|block| sum.merge(&plan.from_numbers(block).unwrap()).unwrap());
+            for block in blocks {
+                sum.merge(&plan.from_numbers(block).unwrap()).unwrap();
+            }
             plan.report(&sum).unwrap().to_json()
         },
     )

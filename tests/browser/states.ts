@@ -51,7 +51,8 @@ export const STATES: readonly State[] = [
   { name: "Explore, handles", prepare: showHandles },
   { name: "Explore, drawings", prepare: openDrawings },
   { name: "figures", prepare: (lab) => openFigures(lab) },
-  { name: "figure computed", prepare: computeFigure },
+  { name: "figure computed", prepare: (lab) => computeFigure(lab) },
+  { name: "figure claims", prepare: showClaims },
 ];
 
 /** The page in that state, theme and size. */
@@ -92,6 +93,11 @@ async function computeFigure(lab: Lab): Promise<void> {
   await dialog.getByRole("textbox", { name: "Trials" }).fill("40");
   await dialog.getByRole("button", { name: "Compute" }).click();
   await expect(dialog.getByText(/jobs, complete/)).toBeVisible({ timeout: 120_000 });
+}
+
+async function showClaims(lab: Lab): Promise<void> {
+  await computeFigure(lab);
+  await lab.page.getByRole("button", { name: "Save as CSV" }).scrollIntoViewIfNeeded();
 }
 
 async function refuse(lab: Lab): Promise<void> {

@@ -19,7 +19,9 @@ fn blocks(name: &str, trials: usize, seed: f64) -> Vec<Vec<f64>> {
 
 fn sum(name: &str, trials: usize, seed: f64, blocks: &[Vec<f64>]) -> FigureSum {
     let mut sum = FigureSum::new(name, trials, seed).ok().unwrap();
-    blocks.iter().for_each(|block| sum.push(block).ok().unwrap());
+    for block in blocks {
+        sum.push(block).ok().unwrap();
+    }
     sum
 }
 

@@ -10,13 +10,33 @@ export const VERDICTS: Record<Verdict, { readonly symbol: string; readonly words
   "not-decided": { symbol: "?", words: "not decided" },
 };
 
-/** Two digits of the standard error, and the number to the same place. */
+/** Digits of a standard error; a number is not known better than that. */
+const ERROR_DIGITS = 2;
+const EXACT_DIGITS = 4;
+/** Most digits after the point; beyond, an exponent is easier to read. */
+const MOST_DECIMALS = 7;
+
+/** The error with two digits; the value alone where the error does not reach its first four. */
 export function foundWords(found: Estimate | null): string {
   if (found === null || !Number.isFinite(found.value)) return "no number";
-  const { value, standard_error: error } = found;
-  if (!(error > 0)) return formatNumber(value, 4);
-  const places = Math.min(12, Math.max(0, 1 - Math.floor(Math.log10(error))));
-  return `${value.toFixed(places)} ± ${error.toFixed(places)}`.replaceAll("-", "\u2212");
+  return withError(found).replaceAll("e+", "e").replaceAll("-", "\u2212");
+}
+
+function withError({ value, standard_error: error }: Estimate): string {
+  const first = Math.abs(value) < 1e6 ? decimals(value, EXACT_DIGITS) : null;
+  const both = decimals(error, ERROR_DIGITS);
+  if (value === 0 && error === 0) return "0";
+  if (first !== null && Number(error.toFixed(first)) === 0) return value.toFixed(first);
+  if (first !== null && both !== null) return `${value.toFixed(both)} ± ${error.toFixed(both)}`;
+  if (error < 5e-4 * Math.abs(value)) return value.toExponential(3);
+  return `${value.toExponential(2)} ± ${error.toExponential(0)}`;
+}
+
+/** How many digits after the point show `digits` digits of a number; null if that is too many. */
+function decimals(value: number, digits: number): number | null {
+  const exponent = Number(value.toExponential(digits - 1).split("e")[1]);
+  const count = Math.max(0, digits - 1 - exponent);
+  return count <= MOST_DECIMALS ? count : null;
 }
 
 export function targetWords({ least, most }: Interval): string {

@@ -17,6 +17,8 @@ export interface FigureLook {
   readonly palette: Palette;
 }
 
+/** The labels of estimated covariances need more room than those of the labs. */
+const FIGURE_WIDTH = WIDTH + 80;
 const EDGE = 40;
 const ROW = 22;
 /** Letters of a line as wide as a panel. */
@@ -45,7 +47,7 @@ async function contentOf(
   if (format === "csv") return new Blob([csv], { type: "text/csv" });
   const { svg, height } = figureSvg(report, look);
   if (format === "svg") return new Blob([svg], { type: "image/svg+xml" });
-  return paint(svg, WIDTH, height, {
+  return paint(svg, FIGURE_WIDTH, height, {
     Software: "rangelab",
     Title: ascii(headingOf(report)),
     Description: ascii(report.caption),
@@ -82,7 +84,7 @@ export function figureSvg(report: FigureReport, look: FigureLook): { svg: string
     ...lines.map((line, index) => (line ? text(line, below + (index + 1) * ROW) : "")),
   ];
   const title = headingOf(report);
-  return { svg: svgFile(palette, WIDTH, height, title, report.caption, metadata, body), height };
+  return { svg: svgFile(palette, FIGURE_WIDTH, height, title, report.caption, metadata, body), height };
 }
 
 function claimLines({ claims }: FigureReport): string[] {

@@ -45,8 +45,22 @@ describe("every figure", () => {
 });
 
 test("numbers and targets read as on the command line", () => {
-  expect(foundWords({ value: 0.11596, standard_error: 0.00213 })).toBe("0.1160 ± 0.0021");
-  expect(foundWords({ value: 1, standard_error: 0 })).toBe("1");
+  const cases: readonly (readonly [number, number, string])[] = [
+    [0.11596, 0.00213, "0.1160 ± 0.0021"],
+    [0.11596, 0.000996, "0.1160 ± 0.0010"],
+    [2, 0.25, "2.00 ± 0.25"],
+    [12_345.6, 789, "12346 ± 789"],
+    [0, 0, "0"],
+    [0.0320149, 0, "0.03201"],
+    [0.0320149, 4e-6, "0.03201"],
+    [0.0320149, 6e-6, "0.0320149 ± 0.0000060"],
+    [0, 0.1, "0.00 ± 0.10"],
+    [3e-9, 4e-11, "3.00e−9 ± 4e−11"],
+    [3e9, 4e5, "3.000e9"],
+    [3e9, 4e7, "3.00e9 ± 4e7"],
+  ];
+  for (const [value, standard_error, words] of cases)
+    expect(foundWords({ value, standard_error })).toBe(words);
   expect(foundWords(null)).toBe("no number");
   expect(targetWords({ least: 0.9, most: 1.1 })).toBe("0.9 to 1.1");
   expect(targetWords({ least: null, most: 1 })).toBe("at most 1");
