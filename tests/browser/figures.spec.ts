@@ -79,7 +79,7 @@ test("a figure can be cancelled; what is there stays, and files are made of comp
   await expect(progress).toHaveText(/cancelled/);
   const there = await progress.innerText();
   await expect(dialog.getByRole("button", { name: "Save as JSON" })).toBeDisabled();
-  await dialog.getByRole("button", { name: "Compute" }).isEnabled();
+  await expect(dialog.getByRole("button", { name: "Compute" })).toBeEnabled();
   await page.waitForTimeout(1500);
   expect(await progress.innerText()).toBe(there);
 });
