@@ -29,6 +29,7 @@ extern crate alloc;
 
 pub mod bounds;
 pub mod error;
+pub mod inertial;
 pub mod math;
 pub mod model;
 pub mod place;
