@@ -4,6 +4,7 @@ pub mod epoch;
 pub mod filter_settings;
 pub mod presets;
 mod profile;
+pub mod run;
 mod setup;
 pub mod trajectory;
 mod validate;

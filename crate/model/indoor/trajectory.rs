@@ -166,16 +166,17 @@ fn landings() -> Profile {
     turns(0.0, &(0..LANDINGS).map(half_turn).collect::<Vec<_>>())
 }
 
-/// Level on the landings.
+/// Level on the landings: the slope begins to change a little before the flight ends.
+const EASING: f64 = 1.32;
+const EASING_ON_FLIGHT: f64 = 0.4 * EASING;
+
 fn flights() -> Profile {
-    let tau: f64 = 1.32;
-    let mut steps = Vec::new();
-    for i in 0..LANDINGS {
-        let from = FLIGHT + i as f64 * (FLIGHT + LANDING);
-        steps.push((from, from + tau, 0.0));
-        steps.push((from + LANDING - tau, from + LANDING, 30.0));
-    }
-    turns(30.0, &steps)
+    let landing = |i: usize| {
+        let begin = FLIGHT + i as f64 * (FLIGHT + LANDING) - EASING_ON_FLIGHT;
+        let end = begin + LANDING + 2.0 * EASING_ON_FLIGHT;
+        [(begin, begin + EASING, 0.0), (end - EASING, end, 30.0)]
+    };
+    turns(30.0, (0..LANDINGS).map(landing).collect::<Vec<_>>().as_flattened())
 }
 
 fn tumble() -> (Profile, Profile, Profile, Profile) {

@@ -95,9 +95,10 @@ impl IndoorBlock {
         let steps = steps(scenario.path, scenario.imu.interval());
         let mut from = Numbers::new(numbers);
         let (first, trials) = (from.count(), from.count());
-        let filters = scenario.filters.enabled.iter().map(|_| IndoorTally::read(&mut from, steps)).collect();
+        let (what, found) = ("numbers in a block", numbers.len());
+        let filters = scenario.filters.enabled.iter().map(|_| IndoorTally::read(&mut from, steps, found)).collect();
         let block = Self { first, trials, filters };
-        let (what, found, expected) = ("numbers in a block", numbers.len(), block.to_numbers().len());
+        let expected = block.to_numbers().len();
         if found == expected { Ok(block) } else { Err(Error::Size { what, found, expected }) }
     }
 }

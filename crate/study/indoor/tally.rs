@@ -163,9 +163,9 @@ impl IndoorTally {
         self.steps.iter().for_each(|tally| tally.write(to));
     }
 
-    /// Reads them back.
-    pub(super) fn read(from: &mut Numbers<'_>, steps: usize) -> Self {
-        let (trials, failures) = (from.count(), from.count());
+    /// Reads them back from a row of `length` numbers, which is also more than it can have trials.
+    pub(super) fn read(from: &mut Numbers<'_>, steps: usize, length: usize) -> Self {
+        let (trials, failures) = (from.count().min(length), from.count());
         Self {
             position: (0..trials).map(|_| from.number()).collect(),
             angle: (0..trials).map(|_| from.number()).collect(),

@@ -1,0 +1,103 @@
+//! What is the same as what: the spec's findings about where the gain of the Riemannian filters comes from.
+
+use rangelab::inertial::inertial_filter;
+use rangelab::model::imu::Convention;
+use rangelab::model::indoor::IndoorScenario;
+use rangelab::model::indoor::filter_settings::{FilterName, FilterSettings, Retraction, Transport};
+use rangelab::model::indoor::presets::indoor_preset;
+use rangelab::simulate::indoor::simulate_indoor;
+use rangelab::study::indoor::monte_carlo::IndoorMonteCarlo;
+
+use crate::support::{at_most, caught};
+
+const PATHS: [&str; 4] = ["indoor-u", "indoor-zigzag", "indoor-bridge", "indoor-stair"];
+
+fn trials(name: &str) -> usize {
+    if name == "indoor-stair" { 4 } else { 20 }
+}
+
+/// Position (m) and angle (rad) of some filters.
+fn errors(scenario: &IndoorScenario, filters: &[FilterName], transport: Transport) -> Vec<[f64; 2]> {
+    let mut scenario = scenario.clone();
+    scenario.filters = FilterSettings { enabled: filters.to_vec(), transport, ..scenario.filters };
+    let report = IndoorMonteCarlo::new(&scenario, trials(&scenario.name)).unwrap().run().unwrap();
+    report.filters.iter().map(|filter| [filter.summary.position.value, filter.summary.angle.value]).collect()
+}
+
+/// Largest relative difference.
+fn difference(a: &[f64; 2], b: &[f64; 2]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a / b - 1.0).abs()).fold(0.0, f64::max)
+}
+
+/// To four digits: the covariance that is carried along SO(3) has no part in the gain.
+#[test]
+fn retraction_alone_is_ekf_rie() {
+    for name in PATHS {
+        for convention in [Convention::Sample, Convention::Disc] {
+            let mut scenario = indoor_preset(name).unwrap();
+            scenario.imu.convention = convention;
+            let alone = errors(&scenario, &[FilterName::Ekf, FilterName::EkfRetraction], Transport::None);
+            for transport in [Transport::Literal, Transport::Block, Transport::Congruence] {
+                let rie = errors(&scenario, &[FilterName::EkfRie], transport);
+                let what = format!("{name}, {convention:?}, {transport:?}");
+                at_most(&what, difference(&rie[0], &alone[1]), 1e-4);
+            }
+            caught(&format!("{name}, {convention:?}: EKF"), difference(&alone[0], &alone[1]), 1e-2);
+        }
+    }
+}
+
+/// With a wide prior the readings of the transport part.
+#[test]
+fn a_wide_prior_parts_the_transports() {
+    let mut scenario = indoor_preset("indoor-u").unwrap();
+    scenario.start.prior = rangelab::model::indoor::StartPrior::Isotropic { variance: 1.0 };
+    let literal = errors(&scenario, &[FilterName::EkfRie], Transport::Literal)[0];
+    let congruence = errors(&scenario, &[FilterName::EkfRie], Transport::Congruence)[0];
+    caught("literal for congruence", difference(&literal, &congruence), 0.1);
+}
+
+/// The unscented transform is the missing Jacobian: the model is bilinear, and nothing else.
+#[test]
+fn the_ukf_is_the_ekf_with_the_full_jacobian() {
+    for name in ["indoor-u", "indoor-zigzag", "indoor-bridge", "indoor-stair", "indoor-tumble"] {
+        let recording = simulate_indoor(&indoor_preset(name).unwrap(), 0).unwrap();
+        let run = |filter: FilterName| {
+            let settings = FilterSettings::default();
+            let mut filter = inertial_filter(filter, &settings, &recording.model, &recording.start).unwrap();
+            recording.epochs.iter().map(|epoch| filter.step(epoch).unwrap().position).collect::<Vec<_>>()
+        };
+        let largest = |a: &[nalgebra::Vector3<f64>], b: &[nalgebra::Vector3<f64>]| {
+            a.iter().zip(b).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max)
+        };
+        let ukf = run(FilterName::Ukf);
+        at_most(name, largest(&ukf, &run(FilterName::EkfFull)), 1e-6);
+        caught(name, largest(&ukf, &run(FilterName::Ekf)), 1e-4);
+    }
+}
+
+/// `prod sqrt(1 + T^2 |omega|^2)`: the growth of `R` by Euler's rule, the whole of the EKF's trouble.
+#[test]
+fn the_ekf_stretches_r_by_what_eulers_rule_says() {
+    let expected = [("indoor-u", 1.261), ("indoor-zigzag", 1.653), ("indoor-bridge", 1.138), ("indoor-stair", 1.973)];
+    for (name, growth) in expected {
+        let mut scenario = indoor_preset(name).unwrap();
+        scenario.filters.enabled = vec![FilterName::Ekf, FilterName::EkfRetraction];
+        let report = IndoorMonteCarlo::new(&scenario, 2).unwrap().run().unwrap();
+        let stretch = |i: usize| report.filters[i].summary.steps.last().unwrap().largest_singular_value.value;
+        at_most(name, (stretch(0) / growth - 1.0).abs(), 2e-3);
+        at_most(name, (stretch(1) - 1.0).abs(), 1e-12);
+    }
+}
+
+/// At rest all filters are one.
+#[test]
+fn at_rest_all_filters_are_the_same() {
+    let mut scenario = indoor_preset("indoor-static").unwrap();
+    scenario.filters.retraction = Retraction::Qr;
+    let filters: Vec<_> = FilterName::ALL.into_iter().filter(|name| *name != FilterName::Tight).collect();
+    let all = errors(&scenario, &filters, Transport::Congruence);
+    for (name, figures) in filters.iter().zip(&all) {
+        at_most(&format!("{name}"), (figures[0] / all[0][0] - 1.0).abs(), 2e-3);
+    }
+}
