@@ -4,6 +4,8 @@
 
 #[path = "golden/fingerprint.rs"]
 mod fingerprint;
+#[path = "golden/indoor.rs"]
+mod indoor;
 
 use std::fs;
 use std::path::PathBuf;
@@ -78,4 +80,5 @@ fn write_the_golden_files() {
     let beside = |name: &str| file(&PRESETS[0]).with_file_name(name);
     fs::write(beside("studies.txt"), studies()).unwrap();
     fs::write(beside("geometry.txt"), geometry_fingerprints()).unwrap();
+    fs::write(beside("indoor.txt"), indoor::indoor_fingerprints()).unwrap();
 }

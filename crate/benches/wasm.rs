@@ -4,15 +4,19 @@
 #[allow(dead_code, reason = "the table is printed natively")]
 mod cases;
 mod field_case;
+mod indoor_case;
 
 use std::cell::RefCell;
 
 use cases::{CASES, Running};
 use field_case::FieldCase;
+use indoor_case::IndoorCase;
+use rangelab::model::indoor::filter_settings::FilterName;
 use rangelab::model::ranging::RangeForm;
 
 thread_local! {
     static RUNNING: RefCell<Option<Running>> = const { RefCell::new(None) };
+    static INDOOR: IndoorCase = IndoorCase::new();
 }
 
 /// Number of cases.
@@ -37,4 +41,10 @@ pub extern "C" fn steps(count: usize) -> f64 {
 #[unsafe(no_mangle)]
 pub extern "C" fn field(projected: usize) -> f64 {
     FieldCase::new(if projected == 0 { RangeForm::Raw } else { RangeForm::Projected }).pass()
+}
+
+/// Runs all inertial filters over one recording.
+#[unsafe(no_mangle)]
+pub extern "C" fn indoor() -> f64 {
+    INDOOR.with(|case| case.run(&FilterName::ALL))
 }

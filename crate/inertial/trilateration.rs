@@ -7,8 +7,10 @@ use crate::math::float::sqrt;
 use crate::math::linalg::{add_outer, spd_inverse};
 
 const MAX_ITERATIONS: usize = 50;
-/// A step shorter than this part of the distances is the last (m).
-const LAST: f64 = 1e-11;
+/// A step shorter than this is the last (m).
+pub(super) const LAST: f64 = 1e-11;
+/// Of shorter steps than this (m) the sum of squares tells nothing but rounding: they are taken as they are.
+pub(super) const ROUNDING: f64 = 1e-6;
 /// Distances below this have no direction (m).
 pub(super) const NEAREST: f64 = 1e-6;
 
@@ -47,10 +49,8 @@ pub fn trilaterate<'a>(
             return Ok(Trilateration { position, geometry: inverse });
         }
         let candidate = Evaluation::at(ranges.clone(), &(best.position + step * scale))?;
-        if candidate.cost <= best.cost {
+        if candidate.cost <= best.cost || length * scale <= ROUNDING {
             (best, scale) = (candidate, 1.0);
-        } else if length * scale < 1e-9 {
-            return Ok(Trilateration { position: best.position, geometry: inverse });
         } else {
             scale *= 0.5;
         }

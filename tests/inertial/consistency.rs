@@ -59,3 +59,15 @@ fn wrong_claims_are_seen() {
     let figure = nees(&isotropic, 100)[0];
     assert!(!(0.9..=1.1).contains(&figure.0), "{figure:?}");
 }
+
+#[test]
+#[ignore]
+fn scratch() {
+    let mut scenario = indoor_preset("indoor-delta").unwrap();
+    scenario.filters.enabled = FILTERS[..3].to_vec();
+    let report = IndoorMonteCarlo::new(&scenario, 600).unwrap().run().unwrap();
+    for f in report.filters {
+        println!("{} {:.3} {:.3}", f.label, f.summary.nees.value, f.summary.nees.standard_error);
+        println!("{:?}", f.summary.steps.iter().map(|s| (s.nees.value * 100.0).round() / 100.0).collect::<Vec<_>>());
+    }
+}

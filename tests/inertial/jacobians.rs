@@ -66,7 +66,7 @@ fn end(case: &Case, start: &SVector<f64, 9>, input: &SVector<f64, 6>) -> Navigat
 /// Central differences of the error at the end.
 fn differences<const N: usize>(case: &Case, end: impl Fn(&SVector<f64, N>) -> NavigationState) -> SMatrix<f64, 9, N> {
     let nominal = self::end(case, &SVector::zeros(), &SVector::zeros());
-    let mut result = SMatrix::zeros();
+    let mut result = SMatrix::<f64, 9, N>::zeros();
     for k in 0..N {
         let mut step = SVector::<f64, N>::zeros();
         step[k] = STEP;
