@@ -3,8 +3,8 @@
 use nalgebra::Matrix3;
 
 use super::bilinear::{
-    InputNoise, Prediction, State, StateMatrix, Transmitters, check, fall, orientation, set_orientation, start,
-    tangent_covariance,
+    InputNoise, Prediction, State, StateMatrix, Transmitters, check, fall, orientation, set_orientation,
+    start, tangent_covariance,
 };
 use super::filter::{Events, FixRecord, InertialFilter, InertialStep, check_epoch, not_positive};
 use super::front_end::{Fix, FrontEnd};
@@ -60,7 +60,7 @@ impl Belief {
     /// from before the step.
     pub fn stay(
         &mut self,
-        manifold: &Riemannian,
+        manifold: Riemannian,
         before: &StateMatrix,
         old: &Matrix3<f64>,
         rotation: super::riemannian::Retracted,
@@ -119,7 +119,7 @@ impl ExtendedFilter {
         belief.x = motion.apply(&belief.x);
         fall(&mut belief.x, &self.model.gravity, epoch.interval);
         check(&belief.x)?;
-        if let Some(manifold) = &self.manifold {
+        if let Some(manifold) = self.manifold {
             let turned = manifold.retract(&old, &(orientation(&belief.x) - old))?;
             belief.stay(manifold, &before, &old, turned);
         }
@@ -136,7 +136,7 @@ impl ExtendedFilter {
         belief.x += update.correction;
         belief.p -= update.learned;
         check(&belief.x)?;
-        if let Some(manifold) = &self.manifold {
+        if let Some(manifold) = self.manifold {
             let turned = manifold.retract_correction(&old, &(orientation(&belief.x) - old))?;
             belief.stay(manifold, &before, &old, turned);
         }

@@ -103,7 +103,11 @@ pub(super) fn check_epoch(epoch: &IndoorEpoch) -> Result<()> {
     }
     for range in epoch.ranges.iter().flatten().flatten() {
         if !range.is_finite() {
-            return Err(Error::Number { what: "a range", value: *range, limit: "finite, or null if missing" });
+            return Err(Error::Number {
+                what: "a range",
+                value: *range,
+                limit: "finite, or null if missing",
+            });
         }
     }
     Ok(())

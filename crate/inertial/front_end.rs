@@ -45,11 +45,12 @@ impl FrontEnd {
         let variance = model.sigma * model.sigma;
         let mut fix = Fix { transmitters: [None; TRANSMITTERS] };
         for (i, found) in fix.transmitters.iter_mut().enumerate() {
-            let seen = model.beacons.iter().zip(ranges).filter_map(|(beacon, ranges)| Some((beacon, ranges[i]?)));
+            let seen =
+                model.beacons.iter().zip(ranges).filter_map(|(beacon, ranges)| Some((beacon, ranges[i]?)));
             if seen.clone().count() < LEAST_RANGES {
                 continue;
             }
-            let Ok(solution) = trilaterate(seen, &expected[i]) else { continue };
+            let Ok(solution) = trilaterate(&seen, &expected[i]) else { continue };
             let shape = match self.covariance {
                 FixCovariance::Isotropic => Matrix3::identity(),
                 FixCovariance::Geometry => solution.geometry,

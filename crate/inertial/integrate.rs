@@ -50,10 +50,7 @@ impl Interval {
         let (r, t) = (state.rotation.matrix(), self.length);
         NavigationState {
             rotation: Rotation::from_matrix_unchecked(r * self.turn).renormalized(),
-            position: state.position
-                + state.velocity * t
-                + r * self.position
-                + self.gravity * (0.5 * t * t),
+            position: state.position + state.velocity * t + r * self.position + self.gravity * (0.5 * t * t),
             velocity: state.velocity + r * self.velocity + self.gravity * t,
         }
     }
@@ -88,10 +85,7 @@ impl Interval {
         let integral = &self.integral;
         [
             [integral.right_jacobian() * t, Matrix3::zeros()],
-            [
-                rotation * integral.second_derivative(a) * (t * t * t),
-                rotation * integral.second() * (t * t),
-            ],
+            [rotation * integral.second_derivative(a) * (t * t * t), rotation * integral.second() * (t * t)],
             [rotation * integral.first_derivative(a) * (t * t), rotation * integral.first() * t],
         ]
     }

@@ -1,11 +1,9 @@
-//! The left-invariant extended Kalman filter on SE_2(3) (Barrau and Bonnabel 2017).
+//! The left-invariant extended Kalman filter on `SE_2(3)` (Barrau and Bonnabel 2017).
 
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
 use super::error_state::Navigation;
-use super::filter::{
-    ErrorMatrix, ErrorVector, FixRecord, InertialFilter, InertialStep, check_epoch,
-};
+use super::filter::{ErrorMatrix, ErrorVector, FixRecord, InertialFilter, InertialStep, check_epoch};
 use super::front_end::{Fix, FrontEnd};
 use super::integrate::{Interval, set};
 use super::lever_arm;
@@ -89,7 +87,8 @@ fn move_along(belief: &mut Navigation, xi: &ErrorVector) {
     let frame = state.rotation.matrix() * integral.first();
     state.position += frame * part(1);
     state.velocity += frame * part(2);
-    state.rotation = Rotation::from_matrix_unchecked(state.rotation.matrix() * integral.exponential()).renormalized();
+    state.rotation =
+        Rotation::from_matrix_unchecked(state.rotation.matrix() * integral.exponential()).renormalized();
 }
 
 /// Position and velocity into other axes, angles left as they are.

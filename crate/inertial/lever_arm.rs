@@ -64,6 +64,9 @@ pub fn acceleration_covariance(
     };
     let forms: [Matrix3<f64>; 3] = core::array::from_fn(form);
     let traces = Matrix3::from_fn(|i, j| (forms[i] * forms[j]).trace());
-    let (first, second) = (angular_velocity_variance, 2.0 * angular_velocity_variance * angular_velocity_variance);
-    identity * acceleration_variance + (both * both.transpose() + turn * turn.transpose()) * first + traces * second
+    let (first, second) =
+        (angular_velocity_variance, 2.0 * angular_velocity_variance * angular_velocity_variance);
+    identity * acceleration_variance
+        + (both * both.transpose() + turn * turn.transpose()) * first
+        + traces * second
 }

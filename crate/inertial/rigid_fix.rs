@@ -49,7 +49,11 @@ pub fn rigid_fix(
             damping = if damping > 0.0 { 10.0 * damping } else { 1e-3 };
         }
     }
-    Err(Error::NoConvergence { what: "the fit of the triangle", iterations: MAX_ITERATIONS, last_step: length })
+    Err(Error::NoConvergence {
+        what: "the fit of the triangle",
+        iterations: MAX_ITERATIONS,
+        last_step: length,
+    })
 }
 
 fn unseen(ranges: &[BeaconRanges]) -> Error {
@@ -80,7 +84,8 @@ impl Placement {
 
 /// The pose whose triangle is nearest to the corners.
 fn fit(transmitters: &[Vector3<f64>; TRANSMITTERS], corners: &[Vector3<f64>; TRANSMITTERS]) -> Placement {
-    let mean = |points: &[Vector3<f64>; TRANSMITTERS]| points.iter().sum::<Vector3<f64>>() / TRANSMITTERS as f64;
+    let mean =
+        |points: &[Vector3<f64>; TRANSMITTERS]| points.iter().sum::<Vector3<f64>>() / TRANSMITTERS as f64;
     let (body, world) = (mean(transmitters), mean(corners));
     let mut overlap = Matrix3::zeros();
     for (c, y) in transmitters.iter().zip(corners) {

@@ -33,7 +33,7 @@ pub struct Trilateration {
 /// [`Error::Unobservable`] for fewer than three ranges or beacons in a line with the transmitter; [`Error::Number`] where
 /// the solution is on a beacon; [`Error::NoConvergence`].
 pub fn trilaterate<'a>(
-    ranges: impl Iterator<Item = (&'a Vector3<f64>, f64)> + Clone,
+    ranges: &(impl Iterator<Item = (&'a Vector3<f64>, f64)> + Clone),
     start: &Vector3<f64>,
 ) -> Result<Trilateration> {
     let count = ranges.clone().count();
@@ -72,7 +72,10 @@ struct Evaluation {
 }
 
 impl Evaluation {
-    fn at<'a>(ranges: impl Iterator<Item = (&'a Vector3<f64>, f64)>, position: &Vector3<f64>) -> Result<Self> {
+    fn at<'a>(
+        ranges: impl Iterator<Item = (&'a Vector3<f64>, f64)>,
+        position: &Vector3<f64>,
+    ) -> Result<Self> {
         let mut result =
             Self { position: *position, cost: 0.0, normal: Matrix3::zeros(), gradient: Vector3::zeros() };
         for (beacon, range) in ranges {

@@ -1,10 +1,8 @@
 //! The unscented Kalman filter on `[vec(R); p; v]` and UKFRie (\[I\] Algorithm 2).
 
-use nalgebra::{Matrix3, SMatrix, SVector};
+use nalgebra::{SMatrix, SVector};
 
-use super::bilinear::{
-    InputNoise, Prediction, STATE, State, StateMatrix, Transmitters, check, fall, orientation,
-};
+use super::bilinear::{InputNoise, Prediction, STATE, State, Transmitters, check, fall, orientation};
 use super::extended::Belief;
 use super::filter::{Events, FixRecord, InertialFilter, InertialStep, check_epoch};
 use super::front_end::{Fix, FrontEnd};
@@ -52,12 +50,11 @@ impl SigmaPoints {
         Self { columns: factor.lower() * sqrt(squared), weight: 0.5 / squared }
     }
 
-    /// The points around a centre, without it.
-    fn around(&self, x: &State) -> impl Iterator<Item = State> {
-        let x = *x;
-        (0..STATE).flat_map(move |i| {
+    /// The points without their centre, as differences from it.
+    fn differences(&self) -> impl Iterator<Item = State> {
+        (0..STATE).flat_map(|i| {
             let column = self.columns.column(i).into_owned();
-            [x + column, x - column]
+            [column, -column]
         })
     }
 }
@@ -126,9 +123,10 @@ impl UnscentedFilter {
         let (centre, here) = (motion.apply(&belief.x), InputNoise::at(&old, &input, t));
         let (mut spread, mut noise) = (CrossSum::<STATE, STATE>::new(), here);
         let mut moved = [State::zeros(); 2 * STATE];
-        for (difference, point) in moved.iter_mut().zip(points.around(&belief.x)) {
-            *difference = motion.apply(&point) - centre;
-            spread.add(points.weight, difference, difference);
+        for (moved, difference) in moved.iter_mut().zip(points.differences()) {
+            let point = belief.x + difference;
+            *moved = motion.apply(&point) - centre;
+            spread.add(points.weight, moved, moved);
             noise.add_difference(points.weight, &InputNoise::at(&orientation(&point), &input, t), &here);
         }
         belief.x = centre + spread.left;
@@ -136,11 +134,15 @@ impl UnscentedFilter {
         noise.add_to(&mut belief.p, t);
         fall(&mut belief.x, &self.model.gravity, t);
         check(&belief.x)?;
-        if let Some(manifold) = &self.manifold {
+        if let Some(manifold) = self.manifold {
             let turned = manifold.retract(&old, &(orientation(&belief.x) - old))?;
             // The points have carried the covariance over the motion; another congruence would turn it twice.
-            let kept = if manifold.transport == Transport::Congruence { Transport::None } else { manifold.transport };
-            belief.stay(&Riemannian { transport: kept, ..*manifold }, &before, &old, turned);
+            let kept = if manifold.transport == Transport::Congruence {
+                Transport::None
+            } else {
+                manifold.transport
+            };
+            belief.stay(Riemannian { transport: kept, ..manifold }, &before, &old, turned);
         }
         Ok(moved)
     }
@@ -152,9 +154,9 @@ impl UnscentedFilter {
         let (old, before) = (orientation(&belief.x), belief.p);
         let centre = self.transmitters.apply(&belief.x, &mask);
         let (mut spread, mut cross) = (CrossSum::<9, 9>::new(), CrossSum::<STATE, 9>::new());
-        for (i, point) in points.around(&belief.x).enumerate() {
-            let expected = self.transmitters.apply(&point, &mask) - centre;
-            let state = if self.transport() == Transport::Literal { moved[i] } else { point - belief.x };
+        for (difference, moved) in points.differences().zip(moved) {
+            let expected = self.transmitters.apply(&(belief.x + difference), &mask) - centre;
+            let state = if self.transport() == Transport::Literal { *moved } else { difference };
             spread.add(points.weight, &expected, &expected);
             cross.add(points.weight, &state, &expected);
         }
@@ -164,36 +166,22 @@ impl UnscentedFilter {
         belief.x += update.correction;
         belief.p -= update.learned;
         check(&belief.x)?;
-        if let Some(manifold) = &self.manifold {
-            self.return_to_manifold(manifold, belief, &before, &old)?;
+        if let Some(manifold) = self.manifold {
+            let turned = manifold.retract_correction(&old, &(orientation(&belief.x) - old))?;
+            belief.stay(manifold, &before, &old, turned);
         }
         Ok(FixRecord { nis: update.nis, degrees_of_freedom: fix.coordinates() })
-    }
-
-    fn return_to_manifold(
-        &self,
-        manifold: &Riemannian,
-        belief: &mut Belief,
-        before: &StateMatrix,
-        old: &Matrix3<f64>,
-    ) -> Result<()> {
-        let turned = manifold.retract_correction(old, &(orientation(&belief.x) - old))?;
-        belief.stay(manifold, before, old, turned);
-        Ok(())
     }
 }
 
 /// The points of a belief, whose covariance is replaced by the nearest positive definite one where it is none.
 fn sigma_points(belief: &mut Belief) -> Result<SigmaPoints> {
-    let factor = match Cholesky::new(&belief.p) {
-        Ok(factor) => factor,
-        Err(_) => {
-            let (repaired, factor) = nearest_positive_definite(&belief.p)?;
-            belief.p = repaired;
-            belief.events.repairs += 1;
-            factor
-        }
-    };
+    if let Ok(factor) = Cholesky::new(&belief.p) {
+        return Ok(SigmaPoints::new(&factor));
+    }
+    let (repaired, factor) = nearest_positive_definite(&belief.p)?;
+    belief.p = repaired;
+    belief.events.repairs += 1;
     Ok(SigmaPoints::new(&factor))
 }
 

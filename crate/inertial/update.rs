@@ -19,7 +19,11 @@ pub(super) struct Update<const N: usize> {
 impl<const N: usize> Update<N> {
     /// From the covariance `C` of state and measurement, that of the measurement, `S`, and the innovation `r`; the gain is
     /// `K = C S^-1`.
-    pub fn new(cross: &SMatrix<f64, N, 9>, spread: &SMatrix<f64, 9, 9>, innovation: &SVector<f64, 9>) -> Result<Self> {
+    pub fn new(
+        cross: &SMatrix<f64, N, 9>,
+        spread: &SMatrix<f64, 9, 9>,
+        innovation: &SVector<f64, 9>,
+    ) -> Result<Self> {
         let factor = Cholesky::new(spread).map_err(not_positive)?;
         let white_cross = factor.whiten(&cross.transpose());
         let white_innovation = factor.whiten(innovation);

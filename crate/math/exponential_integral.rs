@@ -111,8 +111,7 @@ impl ExponentialIntegral {
         let slope = |n: usize| (n as f64 + 1.0) * f[n + 2] - f[n + 1];
         let once = phi.cross(a);
         let twice = phi.cross(&once);
-        let of_twice =
-            Matrix3::identity() * phi.dot(a) + phi * a.transpose() - a * phi.transpose() * 2.0;
+        let of_twice = Matrix3::identity() * phi.dot(a) + phi * a.transpose() - a * phi.transpose() * 2.0;
         hat::<3>(&(*a).into()) * -f[n]
             + of_twice * f[n + 1]
             + once * phi.transpose() * slope(n)

@@ -38,11 +38,10 @@ pub fn simulate_indoor(scenario: &IndoorScenario, trial: u64) -> Result<IndoorRe
 /// [`simulate_indoor`] for a scenario whose parts are already there.
 pub fn draw(scenario: &IndoorScenario, setup: &IndoorSetup, trial: u64) -> IndoorRecording {
     let (model, truth) = (&setup.model, &setup.truth);
-    let samples: Vec<ImuSample> =
-        (0..setup.fixes.len()).map(|k| sample(scenario, setup, k, trial)).collect();
-    let ranges = |k: usize| match setup.fixes[k] {
-        true => ranges(model, &truth[k + 1], scenario, &mut stream(scenario, trial, k, Sensor::Ranging)),
-        false => Vec::new(),
+    let samples: Vec<ImuSample> = (0..setup.fixes.len()).map(|k| sample(scenario, setup, k, trial)).collect();
+    let ranges = |k: usize| {
+        let mut stream = stream(scenario, trial, k, Sensor::Ranging);
+        if setup.fixes[k] { ranges(model, &truth[k + 1], scenario, &mut stream) } else { Vec::new() }
     };
     let epoch = |k: usize| IndoorEpoch {
         interval: setup.interval,
@@ -76,8 +75,7 @@ fn normal_vector(stream: &mut Stream) -> Vector3<f64> {
 fn sample(scenario: &IndoorScenario, setup: &IndoorSetup, k: usize, trial: u64) -> ImuSample {
     let (imu, model): (&ImuSettings, _) = (&scenario.imu, &setup.model);
     let (before, after) = (&setup.truth[k], &setup.truth[k + 1]);
-    let exact =
-        exact_sample(imu.convention, before, after, setup.interval, &model.lever_arm, &model.gravity);
+    let exact = exact_sample(imu.convention, before, after, setup.interval, &model.lever_arm, &model.gravity);
     let mut stream = stream(scenario, trial, k, Sensor::Imu);
     let turning = normal_vector(&mut stream) * sqrt(model.angular_velocity_variance);
     let moving = normal_vector(&mut stream) * sqrt(model.acceleration_variance);

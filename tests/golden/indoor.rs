@@ -8,7 +8,8 @@ use rangelab::study::indoor::run::run_indoor;
 use crate::fingerprint::study_fingerprint;
 
 fn step(step: &IndoorStepRecord) -> Vec<f64> {
-    let matrices = step.pose.orientation.iter().chain(&step.position_covariance).chain(&step.rotation_covariance);
+    let matrices =
+        step.pose.orientation.iter().chain(&step.position_covariance).chain(&step.rotation_covariance);
     let mut numbers: Vec<f64> = matrices.flatten().copied().collect();
     numbers.extend(&step.pose.position);
     numbers.extend(step.velocity);

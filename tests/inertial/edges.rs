@@ -105,7 +105,9 @@ fn transmitters_with_few_ranges_are_left_out() {
     let first = recording.epochs[0].ranges.clone();
     let lose = |lost: &[usize]| {
         let mut ranges = first.clone();
-        lost.iter().for_each(|&i| ranges[0][i] = None);
+        for &i in lost {
+            ranges[0][i] = None;
+        }
         ranges
     };
     for (lost, coordinates) in [(&[][..], 9), (&[1][..], 6), (&[0, 2][..], 3), (&[0, 1, 2][..], 0)] {
@@ -140,7 +142,7 @@ fn a_beacon_on_a_transmitter_is_left_out() {
         }
     }
     let beacon = Vector3::new(1.0, 2.0, 3.0);
-    let error = trilaterate([(&beacon, 1.0); 4].into_iter(), &beacon).unwrap_err();
+    let error = trilaterate(&[(&beacon, 1.0); 4].into_iter(), &beacon).unwrap_err();
     assert!(matches!(error, Error::Number { .. }), "{error}");
 }
 
@@ -149,7 +151,7 @@ fn beacons_in_a_line_are_no_fix() {
     let beacons: Vec<_> = (0..4).map(|i| Vector3::new(f64::from(i), 0.0, 0.0)).collect();
     let on_the_line = Vector3::new(1.5, 0.0, 0.0);
     let ranges = beacons.iter().map(|beacon| (beacon, (beacon - on_the_line).norm()));
-    let error = trilaterate(ranges, &on_the_line).unwrap_err();
+    let error = trilaterate(&ranges, &on_the_line).unwrap_err();
     assert!(matches!(error, Error::Unobservable { .. }), "{error}");
     let mut recording = recording();
     recording.model.beacons = beacons;
@@ -167,8 +169,12 @@ fn a_prior_that_is_no_covariance_is_refused() {
     for variance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         recording.start.prior = StartPrior::Isotropic { variance };
         for name in FilterName::ALL {
-            let result = inertial_filter(name, &FilterSettings::default(), &recording.model, &recording.start);
-            assert!(matches!(result.err(), Some(Error::NotPositiveDefinite { .. })), "{name} with {variance}");
+            let result =
+                inertial_filter(name, &FilterSettings::default(), &recording.model, &recording.start);
+            assert!(
+                matches!(result.err(), Some(Error::NotPositiveDefinite { .. })),
+                "{name} with {variance}"
+            );
         }
     }
 }
@@ -207,7 +213,11 @@ fn retractions_end_on_rotations() {
         for size in [1e-3, 0.1, 3.0] {
             let r = *sampler.rotation::<3>().matrix();
             let turned = retract(kind, &r, &sampler.matrix(size)).unwrap().rotation;
-            at_most("R^T R - I", (turned.transpose() * turned - nalgebra::Matrix3::identity()).norm(), 1e-14 * 10.0);
+            at_most(
+                "R^T R - I",
+                (turned.transpose() * turned - nalgebra::Matrix3::identity()).norm(),
+                1e-14 * 10.0,
+            );
             at_most("det - 1", (turned.determinant() - 1.0).abs(), 1e-14 * 10.0);
         }
     }
@@ -239,20 +249,23 @@ fn the_nearest_positive_definite_matrix_is_near_and_positive() {
 fn scenarios_list_all_their_problems() {
     let read = |text: &str| IndoorScenario::from_json(text);
     let problems = |text: &str| match read(text) {
-        Err(Error::Invalid { problems, .. }) => problems.into_iter().map(|problem| problem.path).collect::<Vec<_>>(),
+        Err(Error::Invalid { problems, .. }) => {
+            problems.into_iter().map(|problem| problem.path).collect::<Vec<_>>()
+        }
         other => panic!("{text}: {other:?}"),
     };
     assert_eq!(problems(r#"{"version": 1, "imu": {"rate_hz": 0}}"#), ["imu.rate_hz"]);
     assert_eq!(problems(r#"{"version": 1, "imu": {"rate_hz": 1e5}}"#), ["imu.rate_hz"]);
-    assert_eq!(problems(r#"{"version": 1, "ranging": {"sigma": 0, "interval": 0.01}}"#), [
-        "ranging.sigma",
-        "ranging.interval"
-    ]);
+    assert_eq!(
+        problems(r#"{"version": 1, "ranging": {"sigma": 0, "interval": 0.01}}"#),
+        ["ranging.sigma", "ranging.interval"]
+    );
     assert_eq!(problems(r#"{"version": 1, "transmitters": [[0,0,0],[1,0,0],[2,0,0]]}"#), ["transmitters"]);
     assert_eq!(problems(r#"{"version": 1, "transmitters": [[0,0,0],[1,0,0]]}"#), ["transmitters"]);
-    assert_eq!(problems(r#"{"version": 1, "start": {"prior": {"kind": "isotropic", "variance": -1}}}"#), [
-        "start.prior.variance"
-    ]);
+    assert_eq!(
+        problems(r#"{"version": 1, "start": {"prior": {"kind": "isotropic", "variance": -1}}}"#),
+        ["start.prior.variance"]
+    );
     assert_eq!(problems(r#"{"version": 1, "filters": {"enabled": ["ekf", "ekf"]}}"#), ["filters.enabled[1]"]);
     assert!(matches!(read(r#"{"version": 1, "moon": 1}"#), Err(Error::Syntax { .. })));
     assert!(matches!(read(r#"{"version": 2}"#), Err(Error::Version { .. })));

@@ -91,7 +91,8 @@ fn the_ukf_is_the_ekf_with_the_full_jacobian() {
 /// `prod sqrt(1 + T^2 |omega|^2)`: the growth of `R` by Euler's rule, the whole of the EKF's trouble.
 #[test]
 fn the_ekf_stretches_r_by_what_eulers_rule_says() {
-    let expected = [("indoor-u", 1.261), ("indoor-zigzag", 1.653), ("indoor-bridge", 1.138), ("indoor-stair", 1.973)];
+    let expected =
+        [("indoor-u", 1.261), ("indoor-zigzag", 1.653), ("indoor-bridge", 1.138), ("indoor-stair", 1.973)];
     for (name, growth) in expected {
         let mut scenario = indoor_preset(name).unwrap();
         scenario.filters.enabled = vec![FilterName::Ekf, FilterName::EkfRetraction];

@@ -64,7 +64,10 @@ fn end(case: &Case, start: &SVector<f64, 9>, input: &SVector<f64, 6>) -> Navigat
 }
 
 /// Central differences of the error at the end.
-fn differences<const N: usize>(case: &Case, end: impl Fn(&SVector<f64, N>) -> NavigationState) -> SMatrix<f64, 9, N> {
+fn differences<const N: usize>(
+    case: &Case,
+    end: impl Fn(&SVector<f64, N>) -> NavigationState,
+) -> SMatrix<f64, 9, N> {
     let nominal = self::end(case, &SVector::zeros(), &SVector::zeros());
     let mut result = SMatrix::<f64, 9, N>::zeros();
     for k in 0..N {
@@ -104,7 +107,11 @@ fn the_noise_is_that_of_the_derivative_by_the_input() {
         at_most("input", (jacobian - expected).abs().max(), LIMIT);
         let noise = expected * expected.transpose();
         at_most("noise", (interval.noise(rotation) - noise).abs().max(), 10.0 * LIMIT);
-        let without = Interval::new(case.length, &Input { acceleration: Vector3::zeros(), ..case.input }, &Vector3::zeros());
+        let without = Interval::new(
+            case.length,
+            &Input { acceleration: Vector3::zeros(), ..case.input },
+            &Vector3::zeros(),
+        );
         caught("no coupling of turn and acceleration", (without.noise(rotation) - noise).abs().max(), 1e-6);
     }
 }
@@ -145,12 +152,17 @@ fn the_integrals_are_their_series() {
             at_most(&format!("G_{n} at {size}"), (matrix - expected).abs().max(), 1e-14);
         }
         for (n, matrix) in [(1, integral.first_derivative(&a)), (2, integral.second_derivative(&a))] {
-            let columns: Vec<_> = (0..3).map(|axis| plain::series_slope(phi.as_slice(), n, a.as_slice(), axis)).collect();
+            let columns: Vec<_> =
+                (0..3).map(|axis| plain::series_slope(phi.as_slice(), n, a.as_slice(), axis)).collect();
             let expected = Matrix3::from_fn(|i, j| columns[j][i]);
             at_most(&format!("dG_{n} at {size}"), (matrix - expected).abs().max(), 1e-13);
             caught("its transpose", (matrix.transpose() - expected).abs().max(), 1e-2);
         }
-        at_most("Exp", (integral.exponential() - Rotation::exp(&phi.into()).matrix()).abs().max(), 1e-15 * 4.0);
+        at_most(
+            "Exp",
+            (integral.exponential() - Rotation::exp(&phi.into()).matrix()).abs().max(),
+            1e-15 * 4.0,
+        );
     }
 }
 

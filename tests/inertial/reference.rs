@@ -3,9 +3,9 @@
 //! Nothing is shared with the crate but its data types. Sigma points are taken with alpha = 1, whose sums lose no digits;
 //! with models linear in the state alpha drops out.
 
+use rangelab::model::indoor::StartPrior;
 use rangelab::model::indoor::epoch::{IndoorEpoch, IndoorRecording};
 use rangelab::model::indoor::filter_settings::{FilterName, Retraction, Transport};
-use rangelab::model::indoor::StartPrior;
 
 use crate::plain::*;
 
@@ -188,7 +188,13 @@ impl Fifteen {
     }
 
     /// One step of EKF, EKF full, EKF retraction and EKFRie.
-    pub fn extended(&mut self, recording: &IndoorRecording, epoch: &IndoorEpoch, name: FilterName, choices: &Choices) {
+    pub fn extended(
+        &mut self,
+        recording: &IndoorRecording,
+        epoch: &IndoorEpoch,
+        name: FilterName,
+        choices: &Choices,
+    ) {
         let (old, before) = (rotation(&self.x), self.p.clone());
         let f = Self::jacobian(recording, epoch, name != FilterName::EkfFull);
         self.p = plus(&congruence(&f, &self.p), 1.0, &Self::noise(recording, epoch, &self.x));
@@ -230,7 +236,13 @@ impl Fifteen {
     }
 
     /// One step of UKF and UKFRie.
-    pub fn unscented(&mut self, recording: &IndoorRecording, epoch: &IndoorEpoch, name: FilterName, choices: &Choices) {
+    pub fn unscented(
+        &mut self,
+        recording: &IndoorRecording,
+        epoch: &IndoorEpoch,
+        name: FilterName,
+        choices: &Choices,
+    ) {
         let on_manifold = name == FilterName::UkfRie;
         let (old, before) = (rotation(&self.x), self.p.clone());
         let points = self.sigma_points();
@@ -241,7 +253,8 @@ impl Fifteen {
             self.p = plus(&self.p, *xi, &Self::noise(recording, epoch, x));
         }
         if on_manifold {
-            let in_time = if choices.transport == Transport::Congruence { Transport::None } else { choices.transport };
+            let in_time =
+                if choices.transport == Transport::Congruence { Transport::None } else { choices.transport };
             self.stay(&Choices { tangent_correction: false, ..*choices }, &before, &old, in_time);
         }
         if epoch.ranges.is_empty() {

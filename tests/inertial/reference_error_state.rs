@@ -101,7 +101,12 @@ impl Nine {
     }
 
     /// Rows of `d/d(phi, p, v)` and innovations: of the positions found one by one, or of the ranges.
-    fn measured(&self, recording: &IndoorRecording, epoch: &IndoorEpoch, name: FilterName) -> (Matrix, Vector) {
+    fn measured(
+        &self,
+        recording: &IndoorRecording,
+        epoch: &IndoorEpoch,
+        name: FilterName,
+    ) -> (Matrix, Vector) {
         let model = &recording.model;
         let places: Vec<Vector> =
             model.transmitters.iter().map(|c| add(&self.p, 1.0, &on(&self.r, c.as_slice()))).collect();

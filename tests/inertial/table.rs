@@ -1,4 +1,5 @@
 //! The figures of the corrected paper at 20 dB (sigma = 0.1 m): position error in m, orientation error in degrees.
+#![allow(clippy::approx_constant, reason = "0.318 m is an error, not a part of pi")]
 
 use rangelab::model::imu::Convention;
 use rangelab::model::indoor::filter_settings::{FilterName, FilterSettings, Retraction, Transport};
@@ -48,11 +49,17 @@ const ROWS: [Row; 16] = [
 ];
 
 /// The figures of all rows with the same inputs, retraction and path.
-fn measure(convention: Convention, retraction: Retraction, path: &str, trials: usize) -> Vec<(FilterName, IndoorSummary)> {
+fn measure(
+    convention: Convention,
+    retraction: Retraction,
+    path: &str,
+    trials: usize,
+) -> Vec<(FilterName, IndoorSummary)> {
     let mut scenario = indoor_preset(path).unwrap();
     scenario.imu.convention = convention;
     let wanted = |filter: &FilterName| {
-        ROWS.iter().any(|row| (row.convention, row.retraction, row.filter) == (convention, retraction, *filter))
+        ROWS.iter()
+            .any(|row| (row.convention, row.retraction, row.filter) == (convention, retraction, *filter))
     };
     scenario.filters = FilterSettings {
         enabled: FilterName::ALL.into_iter().filter(wanted).collect(),
@@ -76,7 +83,9 @@ fn compare(trials: [usize; 4], errors: f64) {
         for retraction in [Retraction::Qr, Retraction::Exponential] {
             for (path, name) in PATHS.iter().enumerate() {
                 let measured = measure(convention, retraction, name, trials[path]);
-                for row in ROWS.iter().filter(|row| (row.convention, row.retraction) == (convention, retraction)) {
+                for row in
+                    ROWS.iter().filter(|row| (row.convention, row.retraction) == (convention, retraction))
+                {
                     let (_, summary) = measured.iter().find(|(filter, _)| *filter == row.filter).unwrap();
                     assert_eq!(summary.failures, 0);
                     let (position, angle) = (summary.position, summary.angle);
@@ -84,11 +93,18 @@ fn compare(trials: [usize; 4], errors: f64) {
                     let printed = row.degrees.map(|degrees| degrees[path]);
                     let line = format!(
                         "{convention:?} {retraction:?} {name} {}: {:.4} +- {:.4} m ({}), {:.3} +- {:.3} deg ({printed:?})",
-                        row.filter, position.value, position.standard_error, row.position[path], degrees[0], degrees[1]
+                        row.filter,
+                        position.value,
+                        position.standard_error,
+                        row.position[path],
+                        degrees[0],
+                        degrees[1]
                     );
                     println!("{line}");
-                    let off = excess(position.value, position.standard_error, row.position[path], 0.001, errors);
-                    let turned = printed.map_or(-1.0, |printed| excess(degrees[0], degrees[1], printed, 0.01, errors));
+                    let off =
+                        excess(position.value, position.standard_error, row.position[path], 0.001, errors);
+                    let turned =
+                        printed.map_or(-1.0, |printed| excess(degrees[0], degrees[1], printed, 0.01, errors));
                     if off > 0.0 || turned > 0.0 {
                         outside.push(line);
                     }

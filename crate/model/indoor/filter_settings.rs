@@ -30,7 +30,7 @@ pub enum FilterName {
     UkfRie,
     /// Error-state (multiplicative) Kalman filter with exact integration of held inputs.
     Mekf,
-    /// Left-invariant EKF on SE_2(3) with the same integration.
+    /// Left-invariant EKF on `SE_2(3)` with the same integration.
     LieKf,
     /// The error-state filter on the ranges themselves, without positions of transmitters in between.
     Tight,

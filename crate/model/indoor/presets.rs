@@ -1,9 +1,11 @@
 //! Indoor scenarios by name: the paper's set-ups, and what makes their lessons.
 
 use alloc::string::{String, ToString};
+use alloc::vec::Vec;
 
 use serde::Serialize;
 
+use super::filter_settings::{FilterSettings, FixCovariance};
 use super::trajectory::IndoorPath;
 use super::{IndoorScenario, RangingSettings, StartPrior, StartSettings};
 use crate::error::{Error, Result};
@@ -126,12 +128,12 @@ fn paper(name: &str, path: IndoorPath) -> IndoorScenario {
         version: VERSION,
         name: String::from(name),
         path,
-        beacons: Default::default(),
-        transmitters: Default::default(),
+        beacons: Vec::new(),
+        transmitters: Vec::new(),
         imu: ImuSettings::default(),
         ranging: RangingSettings::default(),
         start: StartSettings::default(),
-        filters: Default::default(),
+        filters: FilterSettings::default(),
         seed: 1,
         view: None,
     };
@@ -145,16 +147,16 @@ fn convention(name: &str, convention: Convention) -> IndoorScenario {
     scenario
 }
 
-/// Off by 5 degrees, 0.1 m and 0.1 m/s, and known to be.
-fn off(scenario: &mut IndoorScenario) {
-    let prior = StartPrior::Tangent { angle: radians(5.0), position: 0.1, velocity: 0.1 };
+/// Off by so many degrees about each axis, 0.1 m and 0.1 m/s, and known to be.
+fn off(scenario: &mut IndoorScenario, degrees: f64) {
+    let prior = StartPrior::Tangent { angle: radians(degrees), position: 0.1, velocity: 0.1 };
     scenario.start = StartSettings { prior, drawn: true };
-    scenario.filters.fix_covariance = super::filter_settings::FixCovariance::Geometry;
+    scenario.filters.fix_covariance = FixCovariance::Geometry;
 }
 
 fn honest() -> IndoorScenario {
     let mut scenario = convention("indoor-delta", Convention::Mean);
-    off(&mut scenario);
+    off(&mut scenario, 2.0);
     scenario
 }
 
@@ -162,6 +164,6 @@ fn gravity() -> IndoorScenario {
     let mut scenario = paper("indoor-gravity", IndoorPath::Stair);
     scenario.imu.convention = Convention::Mean;
     scenario.imu.gravity = STANDARD_GRAVITY;
-    off(&mut scenario);
+    off(&mut scenario, 5.0);
     scenario
 }

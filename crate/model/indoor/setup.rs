@@ -62,8 +62,8 @@ impl IndoorScenario {
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "an index within the path")]
 fn fixes(steps: usize, interval: f64, between: f64) -> Vec<bool> {
     let mut fixes = vec![false; steps];
-    for number in 0.. {
-        let index = floor(number as f64 * between / interval + 0.5);
+    for number in 0_u32.. {
+        let index = floor(f64::from(number) * between / interval + 0.5);
         if !(index < steps as f64) {
             break;
         }
@@ -84,10 +84,12 @@ pub(super) fn isosceles(base: f64, altitude: f64) -> Vec<Vec<f64>> {
 pub(super) fn corners(path: IndoorPath) -> Vec<Vec<f64>> {
     let states = kinematics(path, BOX_INTERVAL);
     let extreme = |better: fn(f64, f64) -> f64, margin: f64| {
-        let of_axis = |axis: usize| states.iter().map(|state| state.position[axis]).fold(0.0, better) + margin;
+        let of_axis =
+            |axis: usize| states.iter().map(|state| state.position[axis]).fold(0.0, better) + margin;
         Vector3::from_fn(|axis, _| of_axis(axis))
     };
     let (low, high) = (extreme(f64::min, -MARGIN), extreme(f64::max, MARGIN));
-    let corner = |high_sides: [bool; 3]| (0..3).map(|i| if high_sides[i] { high[i] } else { low[i] }).collect();
+    let corner =
+        |high_sides: [bool; 3]| (0..3).map(|i| if high_sides[i] { high[i] } else { low[i] }).collect();
     [[false, false, false], [true, true, false], [true, false, true], [false, true, true]].map(corner).into()
 }

@@ -31,8 +31,7 @@ pub enum IndoorPath {
 
 impl IndoorPath {
     /// All of them, in the order in which they are shown.
-    pub const ALL: [Self; 6] =
-        [Self::U, Self::Zigzag, Self::Bridge, Self::Stair, Self::Static, Self::Tumble];
+    pub const ALL: [Self; 6] = [Self::U, Self::Zigzag, Self::Bridge, Self::Stair, Self::Static, Self::Tumble];
 
     /// Length, s.
     pub fn duration(self) -> f64 {
@@ -131,7 +130,8 @@ impl Course {
         let pitch_axis = Vector3::new(0.0, cr, -sr);
         let pitch_axis1 = Vector3::new(0.0, -sr, -cr) * roll1;
         let yaw_axis = Vector3::new(sp, sr * cp, cr * cp);
-        let yaw_axis1 = Vector3::new(0.0, cr, -sr) * (roll1 * cp) + Vector3::new(cp, -sr * sp, -cr * sp) * pitch1;
+        let yaw_axis1 =
+            Vector3::new(0.0, cr, -sr) * (roll1 * cp) + Vector3::new(cp, -sr * sp, -cr * sp) * pitch1;
         let angular_velocity = Vector3::x() * roll1 - pitch_axis * pitch1 + yaw_axis * yaw1;
         let angular_acceleration = Vector3::x() * roll2 - pitch_axis * pitch2 - pitch_axis1 * pitch1
             + yaw_axis * yaw2
@@ -161,7 +161,7 @@ const LANDINGS: usize = 4;
 fn landings() -> Profile {
     let half_turn = |i: usize| {
         let from = FLIGHT + i as f64 * (FLIGHT + LANDING);
-        (from, from + LANDING, if i % 2 == 0 { 180.0 } else { 0.0 })
+        (from, from + LANDING, if i.is_multiple_of(2) { 180.0 } else { 0.0 })
     };
     turns(0.0, &(0..LANDINGS).map(half_turn).collect::<Vec<_>>())
 }
@@ -214,7 +214,11 @@ pub fn kinematics(path: IndoorPath, interval: f64) -> Vec<Kinematics> {
 }
 
 /// How many whole intervals there are in a path.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a path is short and the interval positive")]
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a path is short and the interval positive"
+)]
 pub fn steps(path: IndoorPath, interval: f64) -> usize {
     // A path of exactly N intervals has N of them, whatever rounding says.
     floor(path.duration() / interval + 1e-9) as usize

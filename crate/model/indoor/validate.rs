@@ -51,7 +51,11 @@ fn transmitters(check: &mut Check, transmitters: &[Vec<f64>]) {
     let corners: Vec<Vector3<f64>> = points(transmitters);
     let (a, b) = (corners[1] - corners[0], corners[2] - corners[0]);
     if !(a.cross(&b).norm_squared() > FLATTEST * a.norm_squared() * b.norm_squared()) {
-        check.problem("transmitters", "on one line", "three corners of a triangle: a line does not show its roll");
+        check.problem(
+            "transmitters",
+            "on one line",
+            "three corners of a triangle: a line does not show its roll",
+        );
     }
 }
 

@@ -96,7 +96,8 @@ impl IndoorBlock {
         let mut from = Numbers::new(numbers);
         let (first, trials) = (from.count(), from.count());
         let (what, found) = ("numbers in a block", numbers.len());
-        let filters = scenario.filters.enabled.iter().map(|_| IndoorTally::read(&mut from, steps, found)).collect();
+        let filters =
+            scenario.filters.enabled.iter().map(|_| IndoorTally::read(&mut from, steps, found)).collect();
         let block = Self { first, trials, filters };
         let expected = block.to_numbers().len();
         if found == expected { Ok(block) } else { Err(Error::Size { what, found, expected }) }

@@ -73,7 +73,9 @@ impl Flat for StepTally {
 
     fn write(&self, to: &mut Vec<f64>) {
         let Self { position, angle, nees, largest, smallest } = self;
-        [position, angle, nees, largest, smallest].into_iter().for_each(|moments| moments.write(to));
+        for moments in [position, angle, nees, largest, smallest] {
+            moments.write(to);
+        }
     }
 
     fn read(from: &mut Numbers<'_>) -> Self {
@@ -179,7 +181,9 @@ impl IndoorTally {
 
 fn mean(values: &[f64]) -> Estimate {
     let mut moments = Moments::default();
-    values.iter().for_each(|value| moments.push(*value));
+    for value in values {
+        moments.push(*value);
+    }
     moments.mean()
 }
 
