@@ -139,14 +139,9 @@ impl InertialFilter for ErrorStateFilter {
         check_epoch(epoch)?;
         let mut belief = self.belief;
         belief.predict(&self.model, epoch)?;
-        let mut record = None;
-        if !epoch.ranges.is_empty() {
-            let expected = self.model.transmitters.map(|c| belief.state.act(&c));
-            let fix = self.front_end.fix(&self.model, &epoch.ranges, &expected);
-            if fix.coordinates() > 0 {
-                record = Some(update(&mut belief, &self.model, &fix)?);
-            }
-        }
+        let expected = self.model.transmitters.map(|c| belief.state.act(&c));
+        let fix = self.front_end.fix(&self.model, &epoch.ranges, &expected);
+        let record = fix.map(|fix| update(&mut belief, &self.model, &fix)).transpose()?;
         self.belief = belief;
         Ok(belief.step(record))
     }

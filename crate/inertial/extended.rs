@@ -149,14 +149,9 @@ impl InertialFilter for ExtendedFilter {
         check_epoch(epoch)?;
         let mut belief = Belief { events: Events::default(), ..self.belief };
         self.predict(&mut belief, epoch)?;
-        let mut record = None;
-        if !epoch.ranges.is_empty() {
-            let expected = self.transmitters.expected(&belief.x);
-            let fix = self.front_end.fix(&self.model, &epoch.ranges, &expected);
-            if fix.coordinates() > 0 {
-                record = Some(self.update(&mut belief, &fix)?);
-            }
-        }
+        let expected = self.transmitters.expected(&belief.x);
+        let fix = self.front_end.fix(&self.model, &epoch.ranges, &expected);
+        let record = fix.map(|fix| self.update(&mut belief, &fix)).transpose()?;
         self.belief = belief;
         Ok(belief.step(record))
     }

@@ -31,8 +31,8 @@ impl FrontEnd {
         Self { kind: settings.front_end, covariance: settings.fix_covariance }
     }
 
-    /// Positions of the transmitters from the ranges of one epoch. `expected`, where they are believed to be, only says
-    /// where the search starts and on which side of coplanar beacons the body is.
+    /// Positions of the transmitters from the ranges of one epoch; `None` where none is found. `expected`, where they are
+    /// believed to be, only says where the search starts and on which side of coplanar beacons the body is.
     ///
     /// A transmitter with fewer than [`LEAST_RANGES`] ranges is not found, and neither is one whose search ends on a
     /// beacon or not at all; the triangle as a whole is fitted where all three are, and where that fails none is found.
@@ -41,7 +41,7 @@ impl FrontEnd {
         model: &IndoorModel,
         ranges: &[BeaconRanges],
         expected: &[Vector3<f64>; TRANSMITTERS],
-    ) -> Fix {
+    ) -> Option<Fix> {
         let variance = model.sigma * model.sigma;
         let mut fix = Fix { transmitters: [None; TRANSMITTERS] };
         for (i, found) in fix.transmitters.iter_mut().enumerate() {
@@ -62,7 +62,7 @@ impl FrontEnd {
             let covariances = [a.1, b.1, c.1];
             fix.transmitters = core::array::from_fn(|i| corners.map(|corners| (corners[i], covariances[i])));
         }
-        fix
+        (fix.coordinates() > 0).then_some(fix)
     }
 }
 

@@ -104,14 +104,9 @@ impl InertialFilter for InvariantFilter {
         check_epoch(epoch)?;
         let mut belief = self.belief;
         self.predict(&mut belief, epoch)?;
-        let mut record = None;
-        if !epoch.ranges.is_empty() {
-            let expected = self.model.transmitters.map(|c| belief.state.act(&c));
-            let fix = self.front_end.fix(&self.model, &epoch.ranges, &expected);
-            if fix.coordinates() > 0 {
-                record = Some(self.update(&mut belief, &fix)?);
-            }
-        }
+        let expected = self.model.transmitters.map(|c| belief.state.act(&c));
+        let fix = self.front_end.fix(&self.model, &epoch.ranges, &expected);
+        let record = fix.map(|fix| self.update(&mut belief, &fix)).transpose()?;
         self.belief = belief;
         let into_world = frame_change(belief.state.rotation.matrix());
         let covariance = into_world * belief.covariance * into_world.transpose();

@@ -16,9 +16,10 @@ use crate::math::float::sqrt;
 use crate::model::indoor::epoch::{IndoorEpoch, IndoorModel, IndoorStart};
 use crate::model::indoor::filter_settings::{FilterSettings, Transport};
 
-/// `alpha` of the scaled unscented transform (\[I\] Algorithm 2, step 3).
-const ALPHA: f64 = 1e-3;
-/// `kappa`, the paper's iota. With models that are linear in the state both drop out.
+/// `alpha` of the scaled unscented transform. The paper takes 1e-3; where, as here, everything is at most quadratic in the
+/// state it drops out, and 1 loses no digits in sums that 1e-3 gives weights of -9e5 and 3e4.
+const ALPHA: f64 = 1.0;
+/// `kappa`, the paper's iota. It drops out too.
 const KAPPA: f64 = 1.0;
 
 /// UKF and UKFRie.
@@ -37,8 +38,8 @@ pub struct UnscentedFilter {
 /// chi_0 = x,  chi_(2i, 2i+1) = x +- s L_i,  s^2 = alpha^2 (L + kappa),  xi = 1/(2 s^2),  xi_0 = 1 - 2 L xi
 /// ```
 ///
-/// Sums over the points are taken of differences from the centre, so that `xi_0`, which is about -1e6, never multiplies
-/// anything: `sum xi (y - y_0) + y_0`, and for covariances `sum xi d d^T - dbar dbar^T`.
+/// Sums over the points are taken of differences from the centre, so that `xi_0` never multiplies anything:
+/// `sum xi (y - y_0) + y_0`, and for covariances `sum xi d d^T - dbar dbar^T`.
 struct SigmaPoints {
     columns: SMatrix<f64, STATE, STATE>,
     weight: f64,
@@ -190,14 +191,9 @@ impl InertialFilter for UnscentedFilter {
         check_epoch(epoch)?;
         let mut belief = Belief { events: Events::default(), ..self.belief };
         let moved = self.predict(&mut belief, epoch)?;
-        let mut record = None;
-        if !epoch.ranges.is_empty() {
-            let expected = self.transmitters.expected(&belief.x);
-            let fix = self.front_end.fix(&self.model, &epoch.ranges, &expected);
-            if fix.coordinates() > 0 {
-                record = Some(self.update(&mut belief, &fix, &moved)?);
-            }
-        }
+        let expected = self.transmitters.expected(&belief.x);
+        let fix = self.front_end.fix(&self.model, &epoch.ranges, &expected);
+        let record = fix.map(|fix| self.update(&mut belief, &fix, &moved)).transpose()?;
         self.belief = belief;
         Ok(belief.step(record))
     }

@@ -1,7 +1,7 @@
 //! The filters once more, from the equations of the specification, on plain matrices: as slow and literal as they can be.
 //!
-//! Nothing is shared with the crate but its data types. Sigma points are taken with alpha = 1, whose sums lose no digits;
-//! with models linear in the state alpha drops out.
+//! Nothing is shared with the crate but its data types. Sigma points are taken with alpha = 1/2 and sums with all weights;
+//! with models at most quadratic in the state alpha drops out.
 
 use rangelab::model::indoor::StartPrior;
 use rangelab::model::indoor::epoch::{IndoorEpoch, IndoorRecording};
@@ -222,9 +222,9 @@ impl Fifteen {
         }
     }
 
-    /// Sigma points with their weights, alpha = 1 and kappa = 1.
+    /// Sigma points with their weights, alpha = 1/2 and kappa = 1.
     fn sigma_points(&self) -> Vec<(f64, Vector)> {
-        let squared = 16.0;
+        let squared = 0.25 * 16.0;
         let l = cholesky(&self.p);
         let mut points = vec![(1.0 - 15.0 / squared, self.x.clone())];
         for j in 0..15 {

@@ -20,7 +20,7 @@ pub enum FilterName {
     Ekf,
     /// The same with the derivative of `g(X) u` in the covariance.
     EkfFull,
-    /// The EKF as printed, `R` put back onto SO(3) after each prediction and nothing else.
+    /// The EKF as printed, `R` put back onto SO(3) after prediction and update, the covariance left as it is.
     EkfRetraction,
     /// EKFRie, \[I\] Algorithm 1: retraction and transport after prediction and update.
     EkfRie,
