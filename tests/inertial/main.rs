@@ -6,6 +6,7 @@
 mod support;
 
 mod agreement;
+mod claims;
 mod consistency;
 mod edges;
 mod equalities;

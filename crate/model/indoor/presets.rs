@@ -70,7 +70,7 @@ pub const INDOOR_PRESETS: [IndoorPreset; 9] = [
         name: "indoor-matched",
         title: "Inputs that match the filter",
         summary: "The turn back with inputs that make Euler's rule for velocity and position exact: now EKFRie is \
-                  nine times as good as the EKF, and the error-state filter, whose integration does not match, fails.",
+                  eight times as good as the EKF, and the error-state filter, whose integration does not match, fails.",
         build: || convention("indoor-matched", Convention::Disc),
     },
     IndoorPreset {
