@@ -76,6 +76,11 @@ impl Navigation {
         }
     }
 
+    /// Takes the mean of the covariance and its transpose, which rounding has parted.
+    pub fn symmetrize(&mut self) {
+        self.covariance = (self.covariance + self.covariance.transpose()) * 0.5;
+    }
+
     /// Refuses a state that left double precision.
     pub fn check(&self) -> Result<()> {
         let NavigationState { rotation, position, velocity } = &self.state;
@@ -142,6 +147,7 @@ impl InertialFilter for ErrorStateFilter {
         let expected = self.model.transmitters.map(|c| belief.state.act(&c));
         let fix = self.front_end.fix(&self.model, &epoch.ranges, &expected);
         let record = fix.map(|fix| update(&mut belief, &self.model, &fix)).transpose()?;
+        belief.symmetrize();
         self.belief = belief;
         Ok(belief.step(record))
     }

@@ -1,18 +1,13 @@
 //! The extended Kalman filter on `[vec(R); p; v]` and EKFRie (\[I\] Algorithm 1).
 
-use nalgebra::Matrix3;
-
-use super::bilinear::{
-    InputNoise, Prediction, State, StateMatrix, Transmitters, check, fall, orientation, set_orientation,
-    start, tangent_covariance,
-};
-use super::filter::{Events, FixRecord, InertialFilter, InertialStep, check_epoch, not_positive};
+use super::belief::Belief;
+use super::bilinear::{InputNoise, Prediction, Transmitters, check, fall, orientation};
+use super::filter::{Events, FixRecord, InertialFilter, InertialStep, check_epoch};
 use super::front_end::{Fix, FrontEnd};
 use super::lever_arm;
-use super::riemannian::{Riemannian, transport};
+use super::riemannian::Riemannian;
 use super::update::Update;
 use crate::error::Result;
-use crate::math::cholesky::Cholesky;
 use crate::model::indoor::epoch::{IndoorEpoch, IndoorModel, IndoorStart};
 use crate::model::indoor::filter_settings::FilterSettings;
 
@@ -34,54 +29,6 @@ pub struct ExtendedFilter {
     jacobian: Jacobian,
     manifold: Option<Riemannian>,
     belief: Belief,
-}
-
-/// State and covariance, as they go through a step.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Belief {
-    pub x: State,
-    pub p: StateMatrix,
-    pub events: Events,
-}
-
-impl Belief {
-    /// Before the first epoch.
-    ///
-    /// # Errors
-    /// [`crate::Error::NotPositiveDefinite`] where the prior is no covariance.
-    pub fn before(initial: &IndoorStart) -> Result<Self> {
-        let (x, p) = start(initial);
-        Cholesky::new(&p).map_err(not_positive)?;
-        check(&x)?;
-        Ok(Self { x, p, events: Events::default() })
-    }
-
-    /// Moves `R` from `old`, which `v` was added to, onto SO(3), and the covariance with it. `before` is the covariance
-    /// from before the step.
-    pub fn stay(
-        &mut self,
-        manifold: Riemannian,
-        before: &StateMatrix,
-        old: &Matrix3<f64>,
-        rotation: super::riemannian::Retracted,
-    ) {
-        let block = before.fixed_view::<9, 9>(0, 0).into_owned();
-        transport(manifold.transport, &mut self.p, &block, old, &rotation.rotation);
-        set_orientation(&mut self.x, &rotation.rotation);
-        self.events.reflected |= rotation.reflected;
-    }
-
-    /// What is reported of it.
-    pub fn step(&self, fix: Option<FixRecord>) -> InertialStep {
-        InertialStep {
-            orientation: orientation(&self.x),
-            position: super::bilinear::block(&self.x, 3),
-            velocity: super::bilinear::block(&self.x, 4),
-            covariance: tangent_covariance(&self.x, &self.p),
-            fix,
-            events: self.events,
-        }
-    }
 }
 
 impl ExtendedFilter {
@@ -152,6 +99,7 @@ impl InertialFilter for ExtendedFilter {
         let expected = self.transmitters.expected(&belief.x);
         let fix = self.front_end.fix(&self.model, &epoch.ranges, &expected);
         let record = fix.map(|fix| self.update(&mut belief, &fix)).transpose()?;
+        belief.symmetrize();
         self.belief = belief;
         Ok(belief.step(record))
     }

@@ -107,6 +107,7 @@ impl InertialFilter for InvariantFilter {
         let expected = self.model.transmitters.map(|c| belief.state.act(&c));
         let fix = self.front_end.fix(&self.model, &epoch.ranges, &expected);
         let record = fix.map(|fix| self.update(&mut belief, &fix)).transpose()?;
+        belief.symmetrize();
         self.belief = belief;
         let into_world = frame_change(belief.state.rotation.matrix());
         let covariance = into_world * belief.covariance * into_world.transpose();

@@ -4,6 +4,7 @@
 //! A. Muqaibel, T. Al-Naffouri); its equations are corrected where they are misprinted. Its filters keep the nine entries
 //! of `R` in a state of 15; the yardsticks beside them keep a rotation and an error of 9.
 
+mod belief;
 pub mod bilinear;
 pub mod error_state;
 pub mod extended;

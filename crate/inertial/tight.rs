@@ -61,6 +61,7 @@ impl InertialFilter for TightFilter {
         belief.predict(&self.model, epoch)?;
         let record = update(&mut belief, &self.model, epoch);
         belief.check()?;
+        belief.symmetrize();
         self.belief = belief;
         Ok(belief.step(record))
     }

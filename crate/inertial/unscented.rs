@@ -2,8 +2,8 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use super::belief::Belief;
 use super::bilinear::{InputNoise, Prediction, STATE, State, Transmitters, check, fall, orientation};
-use super::extended::Belief;
 use super::filter::{Events, FixRecord, InertialFilter, InertialStep, check_epoch};
 use super::front_end::{Fix, FrontEnd};
 use super::lever_arm;
@@ -194,6 +194,7 @@ impl InertialFilter for UnscentedFilter {
         let expected = self.transmitters.expected(&belief.x);
         let fix = self.front_end.fix(&self.model, &epoch.ranges, &expected);
         let record = fix.map(|fix| self.update(&mut belief, &fix, &moved)).transpose()?;
+        belief.symmetrize();
         self.belief = belief;
         Ok(belief.step(record))
     }

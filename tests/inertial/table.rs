@@ -117,13 +117,14 @@ fn compare(trials: [usize; 4], errors: f64) {
 
 #[test]
 fn a_few_trials_are_within_sampling_of_the_table() {
-    compare([20, 20, 20, 4], 4.0);
+    compare([12, 12, 12, 2], 4.0);
 }
 
 #[test]
 #[ignore = "minutes: 600 trials, 150 on the stairs"]
 fn the_table_holds_within_three_per_cent() {
-    compare([600, 600, 600, 150], 0.0);
+    // The printed figures were drawn too.
+    compare([600, 600, 600, 150], 2.0);
 }
 
 /// The comparison sees a tenth.
