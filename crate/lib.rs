@@ -7,6 +7,7 @@
 //! |---|---|
 //! | [`math`] | rotations, poses and small matrices, in the plane and in space by one code path |
 //! | [`model`] | anchors, topology, noise, ranges and their normal equations; the documents `Scenario`, `Recording`, `Run` |
+//! | [`localize`] | LS, SUC-LS, OUC-LS, their total least squares, maximum likelihood: the pose from one epoch alone |
 //! | [`track`] | KF, KF-ortho, UC-KF, ET-KF and the error-state filter, all on one update |
 //! | [`inertial`] | an IMU and ranges: EKF, UKF, their Riemannian forms, and the yardsticks on SO(3) |
 //! | [`bounds`] | CRB, UC-CRB and the posterior bounds: how well any estimator could do |
@@ -32,6 +33,7 @@ extern crate alloc;
 pub mod bounds;
 pub mod error;
 pub mod inertial;
+pub mod localize;
 pub mod math;
 pub mod model;
 pub mod place;

@@ -45,8 +45,10 @@ fn the_crate_alone_keeps_the_bits() {
 }
 
 #[test]
-fn the_browser_module_keeps_the_bits() {
-    check(&["--package", "rangelab-wasm", "--target", "wasm32-unknown-unknown"]);
+fn the_browser_modules_keep_the_bits() {
+    for package in ["rangelab-track", "rangelab-explore"] {
+        check(&["--package", package, "--target", "wasm32-unknown-unknown"]);
+    }
 }
 
 #[test]

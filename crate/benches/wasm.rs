@@ -9,10 +9,8 @@ mod indoor_case;
 use std::cell::RefCell;
 
 use cases::{CASES, Running};
-use field_case::FieldCase;
 use indoor_case::IndoorCase;
 use rangelab::model::indoor::filter_settings::FilterName;
-use rangelab::model::ranging::RangeForm;
 
 thread_local! {
     static RUNNING: RefCell<Option<Running>> = const { RefCell::new(None) };
@@ -37,10 +35,10 @@ pub extern "C" fn steps(count: usize) -> f64 {
     RUNNING.with_borrow_mut(|running| running.as_mut().map_or(f64::NAN, |running| running.steps(count)))
 }
 
-/// Computes a field, projected or raw.
+/// Computes a field: the bound of raw or of projected ranges, or one more anchor.
 #[unsafe(no_mangle)]
-pub extern "C" fn field(projected: usize) -> f64 {
-    FieldCase::new(if projected == 0 { RangeForm::Raw } else { RangeForm::Projected }).pass()
+pub extern "C" fn field(case: usize) -> f64 {
+    field_case::pass(case)
 }
 
 /// Runs all inertial filters over one recording.

@@ -4,12 +4,13 @@ use core::ops::Range;
 
 use nalgebra::SMatrix;
 
-use super::cause::{Parameters, unobservable};
+use super::cause::unobservable;
 use super::fisher::FisherInformation;
 use crate::error::Result;
 use crate::math::block::BlockMatrix;
 use crate::math::rotation::{Rotation, rotation_angles};
 use crate::math::tangent::{TangentMatrix, tangent_dimension};
+use crate::model::lack::Parameters;
 
 /// Where knowing nothing of the other parameters costs more than this factor in the variance of one, the information
 /// matrix is singular within double precision.
@@ -53,6 +54,12 @@ pub(super) fn unitary_crb_on<const D: usize>(
     information: &FisherInformation<D>,
     j: &TangentMatrix<D>,
 ) -> Result<TangentMatrix<D>> {
+    covariance_of(j)
+        .ok_or_else(|| unobservable("the unitarily constrained bound", information, Parameters::Pose))
+}
+
+/// [`unitary_crb`] of an information on the tangent space alone; without the cause where there is no bound.
+pub fn covariance_of<const D: usize>(j: &TangentMatrix<D>) -> Option<TangentMatrix<D>> {
     j.inverse()
         .ok()
         .filter(|c| (0..tangent_dimension(D)).all(|i| carries_digits(j.entry(i, i) * c.entry(i, i))))
@@ -60,7 +67,6 @@ pub(super) fn unitary_crb_on<const D: usize>(
             let part = |range: Range<usize>| comparable(range.map(|i| j.entry(i, i)));
             part(0..rotation_angles(D)) && part(rotation_angles(D)..tangent_dimension(D))
         })
-        .ok_or_else(|| unobservable("the unitarily constrained bound", information, Parameters::Pose))
 }
 
 /// The covariance `T C T^T` of `vec([Q | t])` that belongs to a covariance `C` of the tangent coordinates: with

@@ -57,6 +57,16 @@ impl<const D: usize> TangentMatrix<D> {
         }
     }
 
+    /// Adds `w x x^T`; `x` is 0 beyond the used coordinates.
+    pub fn add_square(&mut self, w: f64, x: &TangentVector) {
+        for j in 0..tangent_dimension(D) {
+            let scaled = w * x[j];
+            for i in 0..tangent_dimension(D) {
+                self.0[(i, j)] += x[i] * scaled;
+            }
+        }
+    }
+
     /// `J^T A J`.
     #[must_use]
     pub fn congruence(&self, jacobian: &TangentTransform) -> Self {

@@ -1,18 +1,21 @@
-//! Which bound is drawn as a field, over which plane.
+//! What is drawn as a field, over which plane.
 
 use serde::{Deserialize, Serialize};
 
 use super::document::check::{Check, Limit};
+use super::placement_settings::Target;
 use super::ranging::RangeForm;
 
-/// A bound over a plane: what it says of a body that stands at each point of it.
+/// A bound over a plane: what it says of a body that stands at each point of it, or of one more anchor there.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(export))]
 #[serde(deny_unknown_fields, default)]
 pub struct FieldSettings {
-    /// Where the body is put.
+    /// Where the body, or one more anchor, is put.
     pub plane: FieldPlane,
-    /// What is bounded.
+    /// Which of the two.
+    pub subject: Subject,
+    /// What is bounded, where the body is put at each point. For one more anchor that is the target of the placement.
     pub quantity: Quantity,
     /// Which ranges the bound is of.
     pub form: RangeForm,
@@ -49,6 +52,18 @@ pub enum FieldPlane {
     Body,
 }
 
+/// What is put at each point of a field.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(export))]
+#[serde(rename_all = "snake_case")]
+pub enum Subject {
+    /// The body: how well it is found there.
+    #[default]
+    Body,
+    /// One more anchor: what the placement adviser counts with it there.
+    NextAnchor,
+}
+
 /// What a bound is about.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(export))]
@@ -68,6 +83,7 @@ impl Default for FieldSettings {
     fn default() -> Self {
         Self {
             plane: FieldPlane::default(),
+            subject: Subject::default(),
             quantity: Quantity::default(),
             form: RangeForm::Raw,
             headings: 1,
@@ -78,12 +94,17 @@ impl Default for FieldSettings {
 }
 
 impl FieldSettings {
-    /// The limit of the quantity that is shown: m or rad.
-    pub fn limit(&self) -> Option<f64> {
-        match self.quantity {
-            Quantity::Position => self.position_limit,
-            Quantity::Orientation => self.angle_limit,
+    /// Whether the field is one of angles, rad; else it is one of lengths, m. `target` is that of the placement.
+    pub fn in_angles(&self, target: Target) -> bool {
+        match self.subject {
+            Subject::Body => self.quantity == Quantity::Orientation,
+            Subject::NextAnchor => target == Target::Orientation,
         }
+    }
+
+    /// The limit of what is shown: m or rad.
+    pub fn limit(&self, target: Target) -> Option<f64> {
+        if self.in_angles(target) { self.angle_limit } else { self.position_limit }
     }
 
     pub(super) fn check(&self, check: &mut Check, dimension: Option<usize>) {

@@ -57,7 +57,12 @@ impl Figure {
 
     /// The number of a covariance of the tangent coordinates, m or rad; infinite where D finds the block singular.
     pub fn value<const D: usize>(&self, covariance: &TangentMatrix<D>) -> f64 {
-        self.differentiate(covariance, Sharpness::Exact).0
+        let (p, block) = (self.scaled(covariance), self.block::<D>());
+        match self.criterion {
+            Criterion::A => sqrt(p.trace()),
+            Criterion::D => geometric_mean(&p, &block).0,
+            Criterion::E => root_of_largest(&p).0,
+        }
     }
 
     /// The number `f` and `df/dJ`, `J` the information whose inverse `C` is the covariance: with `E = df/dP`, placed where
@@ -67,11 +72,7 @@ impl Figure {
         covariance: &TangentMatrix<D>,
         sharpness: Sharpness,
     ) -> (f64, TangentTransform) {
-        let (block, scale) = (self.block::<D>(), |i| self.scale::<D>(i));
-        let used = |i: usize, j: usize| block.contains(&i) && block.contains(&j);
-        let p = TangentTransform::from_fn(|i, j| {
-            if used(i, j) { covariance.entry(i, j) * scale(i) * scale(j) } else { 0.0 }
-        });
+        let (p, block, scale) = (self.scaled(covariance), self.block::<D>(), |i| self.scale::<D>(i));
         let (value, slope) = match (self.criterion, sharpness.order()) {
             (Criterion::A, _) => root_of_trace(&p, &block),
             (Criterion::D, _) => geometric_mean(&p, &block),
@@ -84,6 +85,17 @@ impl Figure {
             if inside { covariance.entry(i, j) } else { 0.0 }
         });
         (value, -(c * placed * c))
+    }
+
+    /// The block `P`, zero beside it.
+    fn scaled<const D: usize>(&self, covariance: &TangentMatrix<D>) -> TangentTransform {
+        let (block, scale) = (self.block::<D>(), |i| self.scale::<D>(i));
+        let used = |i: usize, j: usize| block.contains(&i) && block.contains(&j);
+        TangentTransform::from_fn(
+            |i, j| {
+                if used(i, j) { covariance.entry(i, j) * scale(i) * scale(j) } else { 0.0 }
+            },
+        )
     }
 
     fn block<const D: usize>(&self) -> Range<usize> {

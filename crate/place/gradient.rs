@@ -12,7 +12,7 @@ use crate::error::{Error, Result};
 use crate::math::pose::Pose;
 use crate::math::rotation::{MAX_ANGLES, rotation_angles};
 use crate::math::tangent::{MAX_TANGENT, TangentMatrix, TangentTransform, tangent_dimension};
-use crate::model::noise::SQUARED_RANGE_FLOOR;
+use crate::model::noise::{SQUARED_RANGE_FLOOR, VarianceLaw};
 use crate::model::ranges::Ranges;
 use crate::model::ranging::{RangeForm, RangeModel};
 
@@ -122,19 +122,14 @@ impl<const D: usize> Placement<D> {
     ) {
         let (law, anchors) = (self.noise.law(), model.anchors().positions());
         for (n, sensor) in self.topology.sensors().iter().enumerate() {
-            let place = pose.act(sensor);
-            let g = seen_from_sensor(slope, pose, sensor);
-            let measured = || ranges.of_sensor(n).iter().enumerate().filter(|(_, d)| !d.is_nan());
+            let (place, motion) = (pose.act(sensor), motion_of_sensor(pose, sensor));
+            let g = motion * slope * motion.transpose();
+            let measured = ranges.of_sensor(n);
             let centre = match self.form {
                 RangeForm::Raw => place,
-                RangeForm::Projected => {
-                    let weighted = measured().map(|(m, &d)| (1.0 / law.variance(d), anchors[m]));
-                    let sum = weighted
-                        .fold((0.0, SVector::zeros()), |(total, sum), (w, a)| (total + w, sum + a * w));
-                    sum.1 / sum.0
-                }
+                RangeForm::Projected => weighted_mean(law, anchors, measured).1,
             };
-            for (m, &d) in measured() {
+            for (m, &d) in measured.iter().enumerate().filter(|(_, d)| !d.is_nan()) {
                 let (u, v, weight) = (anchors[m] - place, anchors[m] - centre, 1.0 / law.variance(d));
                 let weight_slope = -law.slope(d) * weight * weight;
                 let gv = g * v;
@@ -144,12 +139,25 @@ impl<const D: usize> Placement<D> {
     }
 }
 
-/// `G_n = H_n G H_n^T`: a matrix on the tangent space as one sensor sees it, `H_n = [.. R hat(e_i) c_n .. | I]`.
-fn seen_from_sensor<const D: usize>(
-    slope: &TangentTransform,
+/// The sum of the weights of the ranges that a sensor has, and the weighted mean of their anchors; not a number without
+/// any.
+pub(super) fn weighted_mean<const D: usize>(
+    law: VarianceLaw,
+    anchors: &[SVector<f64, D>],
+    squared_ranges: &[f64],
+) -> (f64, SVector<f64, D>) {
+    let measured = anchors.iter().zip(squared_ranges).filter(|(_, d)| !d.is_nan());
+    let weighted = measured.map(|(a, &d)| (1.0 / law.variance(d), a));
+    let (total, sum) =
+        weighted.fold((0.0, SVector::zeros()), |(total, sum), (w, a)| (total + w, sum + a * w));
+    (total, sum / total)
+}
+
+/// How a sensor moves with the pose, `H_n = d s_n/d(phi, t) = [.. R hat(e_i) c_n .. | I]`.
+pub(super) fn motion_of_sensor<const D: usize>(
     pose: &Pose<D>,
     sensor: &SVector<f64, D>,
-) -> SMatrix<f64, D, D> {
+) -> SMatrix<f64, D, MAX_TANGENT> {
     let angles = rotation_angles(D);
     let turns: [SVector<f64, D>; MAX_ANGLES] =
         core::array::from_fn(
@@ -160,6 +168,5 @@ fn seen_from_sensor<const D: usize>(
     let column = |a: usize, row: usize| {
         if a < angles { turns[a][row] } else { f64::from(u8::from(a - angles == row)) }
     };
-    let h = SMatrix::<f64, D, MAX_TANGENT>::from_fn(|row, a| column(a, row));
-    h * slope * h.transpose()
+    SMatrix::from_fn(|row, a| column(a, row))
 }

@@ -66,7 +66,15 @@ impl<const D: usize> Placement<D> {
                 finite(self.figure.value(&bound))
             })
             .collect();
-        Ok(self.together(&figures?, Sharpness::Exact).0)
+        Ok(self.total(&figures?))
+    }
+
+    /// The figures of the poses as one number: their root mean square, or the largest.
+    pub(super) fn total(&self, figures: &[f64]) -> f64 {
+        match self.over {
+            Over::Mean => sqrt(figures.iter().map(|f| f * f).sum::<f64>() / figures.len() as f64),
+            Over::Worst => figures.iter().copied().fold(0.0, f64::max),
+        }
     }
 
     /// Anchors, topology and noise with a weight for each pair.
@@ -98,7 +106,7 @@ impl<const D: usize> Placement<D> {
         match (self.over, sharpness.order()) {
             _ if !(largest > 0.0) => (largest, figures.iter().map(|_| 0.0).collect()),
             (Over::Mean, _) => {
-                let value = sqrt(figures.iter().map(|f| f * f).sum::<f64>() / count);
+                let value = self.total(figures);
                 (value, figures.iter().map(|f| f / (value * count)).collect())
             }
             (Over::Worst, Some((_, order))) => mean_of_order(order),

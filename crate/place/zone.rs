@@ -1,6 +1,7 @@
 //! Where anchors may stand.
 
 use alloc::format;
+use alloc::string::String;
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -35,10 +36,9 @@ impl<const D: usize> Zone<D> {
     /// # Errors
     /// [`Error::Invalid`] where keep-out zones leave an anchor no place.
     pub fn new(settings: &PlacementSettings, anchors: &[SVector<f64, D>]) -> Result<Self> {
-        let typed = |region: &Region| Box { low: vector(&region.low), high: vector(&region.high) };
         let fixed = (0..anchors.len()).map(|m| settings.fixed.contains(&m)).collect();
-        let limits = settings.limits.as_ref().map_or_else(|| around(anchors), typed);
-        let zone = Self { limits, keep_out: settings.keep_out.iter().map(typed).collect(), fixed };
+        let limits = settings.limits.as_ref().map_or_else(|| around(anchors), Box::of);
+        let zone = Self { limits, keep_out: settings.keep_out.iter().map(Box::of).collect(), fixed };
         for (m, anchor) in anchors.iter().enumerate() {
             if !zone.fixed[m] && zone.project(anchor).is_none() {
                 return Err(no_place(m, anchor.as_slice(), zone.keep_out.len()));
@@ -50,6 +50,24 @@ impl<const D: usize> Zone<D> {
     /// The box of the anchors, all of them free.
     pub fn around(anchors: &[SVector<f64, D>]) -> Self {
         Self { limits: around(anchors), keep_out: Vec::new(), fixed: vec![false; anchors.len()] }
+    }
+
+    /// The zone of one more anchor: everywhere, where the placement has no limits.
+    pub(super) fn of_next(settings: &PlacementSettings) -> Self {
+        let endless =
+            || Box { low: SVector::repeat(f64::NEG_INFINITY), high: SVector::repeat(f64::INFINITY) };
+        let limits = settings.limits.as_ref().map_or_else(endless, Box::of);
+        Self { limits, keep_out: settings.keep_out.iter().map(Box::of).collect(), fixed: Vec::new() }
+    }
+
+    /// Why no anchor may stand there; none where one may.
+    pub(super) fn refusal(&self, point: &SVector<f64, D>) -> Option<String> {
+        let zone = self.keep_out.iter().position(|zone| zone.holds(point));
+        match zone {
+            Some(index) => Some(format!("no anchor may stand inside keep-out zone {}", index + 1)),
+            None if self.allows(point) => None,
+            None => Some("no anchor may stand outside the limits of the placement".into()),
+        }
     }
 
     /// Whether an anchor may not be moved.
@@ -100,6 +118,10 @@ impl<const D: usize> Zone<D> {
 }
 
 impl<const D: usize> Box<D> {
+    fn of(region: &Region) -> Self {
+        Self { low: vector(&region.low), high: vector(&region.high) }
+    }
+
     fn holds(&self, point: &SVector<f64, D>) -> bool {
         (0..D).all(|i| self.low[i] < point[i] && point[i] < self.high[i])
     }

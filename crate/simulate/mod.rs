@@ -4,6 +4,7 @@
 pub mod imu;
 pub mod indoor;
 pub mod measure;
+pub mod mounting;
 pub mod random;
 pub mod trajectory;
 
@@ -16,7 +17,9 @@ use crate::model::anchors::Anchors;
 use crate::model::epoch::{Epoch, Recording};
 use crate::model::ranging::RangeModel;
 use crate::model::scenario::{Scenario, Setup, WeightSource};
+use crate::model::topology::Topology;
 use measure::measure;
+use mounting::mounted_sensors;
 use random::{Part, Stream};
 use trajectory::trajectory;
 
@@ -25,6 +28,9 @@ use trajectory::trajectory;
 /// The same scenario and trial give the same bits everywhere, and trials may be drawn in any order. Random numbers are
 /// common: a change of geometry or noise changes no draw, only what is made of it; more epochs leave the earlier ones
 /// as they were, an anchor appended leaves the draws of the others as they were.
+///
+/// Ranges are measured to where the sensors really sit in this trial ([`mounting`]); the recording's model, by which
+/// estimators and bounds read them, and the true ranges that may give the weights keep to the places given.
 ///
 /// # Errors
 /// [`crate::Error::Invalid`] with every problem of the scenario, [`crate::Error::Number`] where a range overflows.
@@ -40,17 +46,19 @@ use trajectory::trajectory;
 pub fn simulate<const D: usize>(scenario: &Scenario, trial: u64) -> Result<Recording<D>> {
     let setup = scenario.setup::<D>()?;
     let model = anchored(scenario, &setup, trial)?;
+    let mounted = mounted(scenario, &model, trial)?;
     let mut stream = Stream::new(scenario.seed, trial, Part::Motion);
     let truth = trajectory(&setup, &scenario.motion, &mut stream);
     let mut epochs = Vec::with_capacity(truth.len());
     for (k, pose) in truth.iter().enumerate() {
-        let exact = model.exact_ranges(&(*pose).into())?;
-        let measurable = model.measurable(pose, &setup.availability);
+        let exact = mounted.exact_ranges(&(*pose).into())?;
+        let measurable = mounted.measurable(pose, &setup.availability);
+        let weighs = scenario.weights == WeightSource::True;
         let mut stream = Stream::new(scenario.seed, trial, Part::Epoch(k));
         epochs.push(Epoch {
             motion: setup.motions[k],
             ranges: measure(&model, &exact, &measurable, scenario.missing_probability, &mut stream)?,
-            true_ranges: (scenario.weights == WeightSource::True).then_some(exact),
+            true_ranges: weighs.then(|| model.exact_ranges(&(*pose).into())).transpose()?,
         });
     }
     Ok(Recording {
@@ -70,4 +78,10 @@ fn anchored<const D: usize>(scenario: &Scenario, setup: &Setup<D>, trial: u64) -
     let mut point = || SVector::from_fn(|_, _| (2.0 * stream.uniform() - 1.0) * redraw.half_width);
     let anchors = (0..model.anchors().len()).map(|_| point()).collect();
     RangeModel::new(Anchors::new(anchors)?, model.topology().clone(), *model.noise(), model.weighting())
+}
+
+/// The model with the sensors where they really sit in this trial.
+fn mounted<const D: usize>(scenario: &Scenario, model: &RangeModel<D>, trial: u64) -> Result<RangeModel<D>> {
+    let topology = Topology::new(mounted_sensors(model.topology(), scenario, trial))?;
+    RangeModel::new(model.anchors().clone(), topology, *model.noise(), model.weighting())
 }

@@ -14,7 +14,12 @@ pub enum Part {
     Motion,
     /// Ranges of one epoch.
     Epoch(usize),
+    /// Displacements of the sensors on the body.
+    Mounting,
 }
+
+/// The largest number of a part whose four rounds still have numbers of their own; no epoch comes near it.
+const LAST: u64 = u64::MAX / 4;
 
 /// The random numbers of one part of one trial.
 ///
@@ -31,6 +36,7 @@ impl Stream {
             Part::Anchors => 0,
             Part::Motion => 1,
             Part::Epoch(k) => 2 + k as u64,
+            Part::Mounting => LAST,
         };
         let (mut high, mut low) = (seed, trial);
         for round in 0..4 {

@@ -2,10 +2,13 @@
 
 pub mod block;
 mod bound_tally;
+mod digits;
 pub mod error;
 pub mod exploration;
+pub mod figures;
 mod flat;
 pub mod indoor;
+pub mod localization;
 pub mod moments;
 pub mod monte_carlo;
 pub mod report;

@@ -29,7 +29,7 @@ test("going to Explore keeps the scene, and the way back leads to it", async ({ 
   await expect(bounds(page)).toBeVisible();
   expect(await lab.anchor(1)).toContain("0.4");
   await expect(page.getByRole("region", { name: "Timeline" })).toHaveCount(0);
-  await expect(page.getByRole("region", { name: "Plots" })).toHaveCount(0);
+  await expect(page.getByRole("region", { name: "Body designer" })).toBeVisible();
   await switcher.getByRole("button", { name: "Track" }).click();
   await expect.poll(() => lab.readout()).toBe(tracked);
 });

@@ -1,8 +1,14 @@
+import { readFileSync } from "node:fs";
 import { expect, type Locator, type Page, test } from "@playwright/test";
+import { field_rows, initSync } from "../../web/page/src/wasm/explore/rangelab_explore.js";
 import { Health } from "./health";
 import { Lab } from "./lab";
 import { graphicsBrowser } from "./playwright.config";
+import { type Draft, unpack } from "./scenario-link";
 
+const MODULE = new URL("../../web/page/src/wasm/explore/rangelab_explore_bg.wasm", import.meta.url);
+
+test.beforeAll(() => void initSync({ module: readFileSync(MODULE) }));
 test.use({ launchOptions: graphicsBrowser });
 
 async function openExplore(page: Page, backend: string): Promise<Lab> {
@@ -13,14 +19,11 @@ async function openExplore(page: Page, backend: string): Promise<Lab> {
   return lab;
 }
 
-/**
- * Keeps what the page hands to the graphics device and what comes of it: the last coarse grid, and the texture that a
- * kernel stores into.
- */
+/** Keeps the texture that a kernel stores into, and its device. */
 async function watchFields(page: Page): Promise<void> {
   await page.addInitScript(() => {
-    const { GPUDevice, GPUQueue } = globalThis as unknown as Record<string, { prototype: Prototype }>;
-    type Prototype = Record<"createTexture" | "writeTexture", (...values: unknown[]) => unknown>;
+    type Prototype = Record<"createTexture", (...values: unknown[]) => unknown>;
+    const { GPUDevice } = globalThis as unknown as Record<string, { prototype: Prototype }>;
     const kept: Record<string, unknown> = {};
     Object.assign(window, { kept });
     const { createTexture } = GPUDevice.prototype;
@@ -30,19 +33,10 @@ async function watchFields(page: Page): Promise<void> {
       if ((values[0] as { usage: number }).usage & storage) Object.assign(kept, { texture, device: this });
       return texture;
     };
-    const { writeTexture } = GPUQueue.prototype;
-    GPUQueue.prototype.writeTexture = function (...values) {
-      const { buffer, byteOffset, byteLength } = values[1] as Uint8Array;
-      kept["coarse"] = new Float32Array(buffer.slice(byteOffset, byteOffset + byteLength));
-      kept["size"] = values[3];
-      return writeTexture.apply(this, values);
-    };
   });
 }
 
 interface Kept {
-  readonly coarse: Float32Array;
-  readonly size: { readonly width: number; readonly height: number };
   readonly device: GpuDevice;
   readonly texture: { readonly width: number; readonly height: number };
 }
@@ -54,36 +48,47 @@ interface GpuDevice {
   readonly queue: { submit(commands: object[]): void };
 }
 
-/** Fine over coarse values at 64 places that are resolved and bounded: least and largest. */
-function quotients(page: Page): Promise<[least: number, largest: number]> {
+/** The grid that the device filled, row by row; negative where single precision does not tell. */
+function readFine(page: Page): Promise<{ width: number; height: number; values: number[] }> {
   return page.evaluate(async () => {
-    const { coarse, size, device, texture } = (window as unknown as { kept: Kept }).kept;
-    const bytesPerRow = 256 * Math.ceil((4 * texture.width) / 256);
+    const { device, texture } = (window as unknown as { kept: Kept }).kept;
+    const { width, height } = texture;
+    const bytesPerRow = 256 * Math.ceil((4 * width) / 256);
     const [mapRead, copyTo] = [1, 8];
-    const buffer = device.createBuffer({ size: bytesPerRow * texture.height, usage: mapRead | copyTo });
+    const buffer = device.createBuffer({ size: bytesPerRow * height, usage: mapRead | copyTo });
     const encoder = device.createCommandEncoder();
-    encoder.copyTextureToBuffer({ texture }, { buffer, bytesPerRow }, [texture.width, texture.height]);
+    encoder.copyTextureToBuffer({ texture }, { buffer, bytesPerRow }, [width, height]);
     device.queue.submit([encoder.finish()]);
     await buffer.mapAsync(mapRead);
-    const fine = new Float32Array(buffer.getMappedRange());
-    const found: number[] = [];
-    for (let place = 0; place < 64; place++) {
-      const [s, t] = [((place % 8) + 0.5) / 8, (Math.floor(place / 8) + 0.5) / 8];
-      const at = (width: number, height: number, stride: number) =>
-        Math.floor(t * height) * stride + Math.floor(s * width);
-      const value = fine[at(texture.width, texture.height, bytesPerRow / 4)];
-      const other = coarse[at(size.width, size.height, size.width)];
-      if (value >= 0 && other < 1e30) found.push(value / other);
-    }
-    if (found.length < 32) throw new Error(`only ${found.length} places of 64 are resolved`);
-    return [Math.min(...found), Math.max(...found)];
+    const padded = new Float32Array(buffer.getMappedRange());
+    const rows = Array.from({ length: height }, (_, j) => (j * bytesPerRow) / 4);
+    return { width, height, values: rows.flatMap((start) => [...padded.subarray(start, start + width)]) };
   });
 }
+
+/** Largest relative difference of what the device computed from what the engine computes for the same cells. */
+function worstAgainstEngine(
+  scenario: Draft,
+  fine: { width: number; height: number; values: number[] },
+): number {
+  const resolution = Math.max(fine.width, fine.height);
+  const exact = field_rows(JSON.stringify(scenario), resolution, 0, fine.height);
+  expect(exact).toHaveLength(fine.values.length);
+  const told = exact
+    .map((value, at) => (value < 1e30 && fine.values[at] >= 0 ? at : -1))
+    .filter((at) => at >= 0);
+  expect(told.length).toBeGreaterThan(exact.length / 2);
+  return told.reduce((worst, at) => Math.max(worst, Math.abs(fine.values[at] / exact[at] - 1)), 0);
+}
+
+const hashOf = (page: Page): string => new URL(page.url()).hash;
 
 /** The renderer says on its canvas that it draws what the device computed. */
 const fine = (page: Page): Locator => page.locator(".host canvas[data-fine-field]");
 
-test("WebGPU draws a finer field, and another one once an anchor has moved", async ({ page }) => {
+test("WebGPU draws a finer field, another one once an anchor has moved, and it is the engine's", async ({
+  page,
+}) => {
   test.setTimeout(180_000);
   const warnings: string[] = [];
   page.on("console", (message) => message.type() === "warning" && warnings.push(message.text()));
@@ -92,14 +97,19 @@ test("WebGPU draws a finer field, and another one once an anchor has moved", asy
   const lab = await openExplore(page, "webgpu");
   await expect(fine(page)).toHaveCount(1, { timeout: 60_000 });
   const picture = await lab.surface.screenshot();
+  const before = hashOf(page);
   await lab.drag(2, -60, 40);
   await expect(lab.status).toContainText("Anchor 2 moved to");
   await expect(fine(page)).toHaveCount(1, { timeout: 60_000 });
   expect((await lab.surface.screenshot()).equals(picture)).toBe(false);
-  // Half a cell of the coarser grid lies between the places compared.
-  const [least, largest] = await quotients(page);
-  expect(least).toBeGreaterThan(0.9);
-  expect(largest).toBeLessThan(1.1);
+  await expect.poll(() => hashOf(page)).not.toBe(before);
+  const scenario = unpack(hashOf(page));
+  const computed = await readFine(page);
+  expect(worstAgainstEngine(scenario, computed)).toBeLessThan(1e-3);
+  // Ranges noisier by 0.2 % would be seen.
+  const { noise } = scenario;
+  const spoiled = { ...scenario, noise: { ...noise, sigma: 1.002 * noise.sigma } };
+  expect(worstAgainstEngine(spoiled, computed)).toBeGreaterThan(1e-3);
   expect(warnings.filter((text) => text.includes("field"))).toEqual([]);
   await health.expectGood(lab);
 });

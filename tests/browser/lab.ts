@@ -10,7 +10,7 @@ export class Lab {
 
   constructor(readonly page: Page) {
     this.scene = page.locator(".scene");
-    this.surface = page.getByRole("application");
+    this.surface = this.scene.getByRole("application");
     this.status = page.locator(".status");
     this.alert = page.getByRole("alert");
     this.step = page.getByTestId("step");

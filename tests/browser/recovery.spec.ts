@@ -55,13 +55,53 @@ test("an engine that breaks is started again: the edit stays, the numbers are ri
 });
 
 test("a page whose engine does not arrive says so in a sentence", async ({ page }) => {
-  await page.route("**/rangelab_wasm_bg*.wasm", (route) => route.abort());
+  await page.route("**/rangelab_track_bg*.wasm", (route) => route.abort());
   await page.goto("./?renderer=canvas2d&theme=light");
   await expect(page.getByRole("alert")).toContainText("The page could not start");
   await expect(page.getByRole("button", { name: "Try again" })).toBeVisible();
-  await page.unroute("**/rangelab_wasm_bg*.wasm");
+  await page.unroute("**/rangelab_track_bg*.wasm");
   await page.getByRole("button", { name: "Try again" }).click();
   await expect(page.locator(".status")).toContainText("Ready");
+});
+
+test("a lab whose part of the engine does not arrive says so and leaves the last one; later it opens", async ({
+  page,
+}) => {
+  const lab = await Lab.open(page);
+  await lab.type("Seed", "31");
+  const readout = await lab.readout();
+  const explore = page.getByRole("navigation", { name: "Labs" }).getByRole("button", { name: "Explore" });
+  await page.route("**/rangelab_explore_bg*.wasm", (route) => route.abort());
+  await explore.click();
+  await expect(lab.alert).toContainText("The lab Explore could not be loaded");
+  await expect(lab.alert).toContainText("The lab Track stays.");
+  await expect(explore).not.toHaveAttribute("aria-current", "page");
+  expect(await lab.readout()).toBe(readout);
+
+  await page.unroute("**/rangelab_explore_bg*.wasm");
+  await explore.click();
+  await expect(page.getByRole("table", { name: "Bounds of one epoch" })).toBeVisible();
+  await expect(lab.alert).toBeEmpty();
+});
+
+test("a page that opens in Explore shows its frame while the lab is loading", async ({ page, context }) => {
+  const other = await Lab.open(await context.newPage());
+  const labs = other.page.getByRole("navigation", { name: "Labs" });
+  await labs.getByRole("button", { name: "Explore" }).click();
+  await expect.poll(() => new URL(other.page.url()).hash).toMatch(/^#v1\./);
+  const link = new URL(other.page.url()).hash;
+  await other.page.evaluate(() => localStorage.clear());
+
+  let arrive = (): void => undefined;
+  const wait = new Promise<void>((resolve) => (arrive = resolve));
+  await page.route("**/rangelab_explore_bg*.wasm", (route) => wait.then(() => route.continue()));
+  await page.goto(`./?renderer=canvas2d&theme=light${link}`);
+  await expect(page.getByText("Loading the lab Explore…")).toBeVisible();
+  await expect(page.getByRole("button", { name: "Explore" })).toHaveAttribute("aria-current", "page");
+  arrive();
+  await expect(page.getByRole("table", { name: "Bounds of one epoch" })).toBeVisible();
+  await expect(page.getByText("Loading the lab")).toHaveCount(0);
+  await expect(page.getByRole("alert")).toBeEmpty();
 });
 
 test("a page that cannot be drawn keeps the scene and offers ways back", async ({ page }) => {

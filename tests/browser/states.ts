@@ -42,12 +42,41 @@ export const STATES: readonly State[] = [
   { name: "parts put away", prepare: putAway },
   { name: "scene restored", prepare: restore },
   { name: "fault told", prepare: fault },
+  { name: "Explore", prepare: (lab) => explore(lab) },
+  { name: "Explore, groups open", prepare: exploreOpen },
+  { name: "Explore, next anchor", prepare: exploreNext },
+  { name: "Explore, coplanar", preset: "coplanar-ceiling", prepare: (lab) => explore(lab) },
+  { name: "Explore, sensor chosen", prepare: chooseSensor },
+  { name: "Explore, planar", preset: "planar", prepare: (lab) => explore(lab) },
+  { name: "Explore, handles", prepare: showHandles },
+  { name: "Explore, drawings", prepare: openDrawings },
 ];
 
 /** The page in that state, theme and size. */
 export async function enter(lab: Lab, state: State): Promise<void> {
   if (state.preset) await lab.openPreset(state.preset);
   await state.prepare(lab);
+}
+
+/** Explore with its boxes, a wall and a corner that is chosen. */
+async function showHandles(lab: Lab): Promise<void> {
+  await explore(lab);
+  const placement = await lab.openGroup("Placement");
+  for (const name of ["Body in a box", "Limit anchors", "Keep-out box"])
+    await placement.getByRole("button", { name }).click();
+  const availability = await lab.openGroup("Range availability");
+  await availability.getByRole("button", { name: "Add a wall" }).click();
+  const close = lab.page.getByRole("button", { name: "Close", exact: true });
+  if (await close.isVisible()) await close.click();
+  await lab.surface.focus();
+  for (let i = 0; i < 5; i++) await lab.page.keyboard.press("p");
+  await expect(lab.page.getByRole("group", { name: "Selected handle" })).toBeVisible();
+}
+
+async function openDrawings(lab: Lab): Promise<void> {
+  await explore(lab);
+  await lab.page.getByRole("button", { name: "Draw…" }).click();
+  await expect(lab.page.getByRole("button", { name: "Draw a wall" })).toBeVisible();
 }
 
 async function refuse(lab: Lab): Promise<void> {
@@ -97,6 +126,30 @@ async function restore(lab: Lab): Promise<void> {
 async function fault(lab: Lab): Promise<void> {
   await lab.page.evaluate(() => reportError(new Error("A sentence that tells what went wrong here.")));
   await expect(lab.page.getByRole("button", { name: "Copy report" })).toBeVisible();
+}
+
+async function explore(lab: Lab): Promise<void> {
+  await lab.page.getByRole("navigation", { name: "Labs" }).getByRole("button", { name: "Explore" }).click();
+  await expect(lab.page.getByRole("table", { name: "Bounds of one epoch" })).toBeVisible();
+}
+
+async function chooseSensor(lab: Lab): Promise<void> {
+  await explore(lab);
+  await lab.openGroup("Sensors on the body");
+  await lab.type("Mounting error σe", "0.01");
+  await lab.page.getByRole("button", { name: /^Sensor 2 at/ }).focus();
+}
+
+async function exploreOpen(lab: Lab): Promise<void> {
+  await explore(lab);
+  await lab.openGroups();
+}
+
+async function exploreNext(lab: Lab): Promise<void> {
+  await explore(lab);
+  await lab.openSheet();
+  await lab.page.getByRole("combobox", { name: "Shows" }).selectOption("best next anchor");
+  await expect(lab.page.getByRole("table", { name: "One more anchor" })).toBeVisible();
 }
 
 async function openDialog(lab: Lab, button: string): Promise<void> {

@@ -117,6 +117,24 @@ test("one finger drags an anchor as one edit, beside the things it turns the sce
   expect(await lab.anchor(2)).toContain(before);
 });
 
+test("a finger draws a wall, and taps draw a box", async ({ page }) => {
+  const lab = await Lab.open(page);
+  const fingers = await Fingers.on(page);
+  await page.getByRole("navigation", { name: "Labs" }).getByRole("button", { name: "Explore" }).click();
+  const start = await lab.pixelOf("start");
+  const at = (dx: number, dy: number) => ({ x: start.x + dx, y: start.y + dy });
+  await page.getByRole("button", { name: "Draw…" }).click();
+  await page.getByRole("button", { name: "Draw a wall" }).click();
+  await fingers.slide([{ from: at(-30, 40), to: at(40, 60) }]);
+  await expect(lab.status).toContainText("Wall 1 drawn from");
+  await page.getByRole("button", { name: "Draw…" }).click();
+  await page.getByRole("button", { name: "Draw a keep-out box" }).click();
+  await fingers.tap(at(-30, 20));
+  await expect(lab.status).toContainText("Press where it ends");
+  await fingers.tap(at(30, 50));
+  await expect(lab.status).toContainText("Keep out 1 drawn from");
+});
+
 test("taps choose several, send them to a place, and a double tap adds an anchor", async ({ page }) => {
   const lab = await Lab.open(page);
   const fingers = await Fingers.on(page);

@@ -1,11 +1,14 @@
 //! `rangelab field`: the numbers of the bounds, in every form.
 
-use rangelab::bounds::field::{NONE, field_of};
+use rangelab::bounds::field::{NONE, field_of, layout_of};
 use rangelab::math::float::{degrees, radians};
-use rangelab::model::field_settings::{FieldPlane, FieldSettings, Quantity};
+use rangelab::model::availability::Obstacle;
+use rangelab::model::field_settings::{FieldPlane, FieldSettings, Quantity, Subject};
+use rangelab::model::placement_settings::{Region, Target};
 use rangelab::model::presets::preset;
 use rangelab::model::ranging::RangeForm;
 use rangelab::model::scenario::Scenario;
+use rangelab::place::{advise, best_next};
 use rangelab::study::exploration::bound_at;
 use rangelab::with_dimension;
 
@@ -77,6 +80,53 @@ fn a_table_holds_the_numbers_of_the_field_and_its_scenario() {
         let unseen = options.contains(&"-");
         assert!(rows.iter().all(|(_, found)| found.is_none() == unseen), "{options:?}");
     }
+}
+
+/// Where one more anchor may stand, a wall, and a target in degrees.
+fn next_anchor() -> Scenario {
+    let mut scenario = with_field("room", |field| field.headings = 2);
+    let wall = Obstacle::Wall { from: vec![2.5, 2.1], to: vec![4.5, 3.3], bottom: None, top: None };
+    scenario.availability.obstacles = vec![wall];
+    scenario.placement.target = Target::Orientation;
+    scenario.placement.keep_out = vec![Region { low: vec![3.2, 0.6, 0.0], high: vec![4.2, 1.4, 3.0] }];
+    scenario
+}
+
+#[test]
+fn one_more_anchor_is_told_by_table_point_and_picture() {
+    let scenario = next_anchor();
+    let field = |options: &[&str]| {
+        let command = [&["field", "-", "--quantity", "next-anchor"], options].concat();
+        rangelab_with(&scenario.to_json(), &command).data()
+    };
+    let text = field(&["--resolution", "16"]);
+    let title = "# Bound (UC-CRB) on the orientation with one more anchor here, deg: room\n";
+    assert!(text.starts_with(title) && text.contains("2 headings; A-optimal\n"), "{text}");
+    assert!(text.contains("\nx_m,y_m,z_m,orientation_bound_with_one_more_anchor_deg\n"), "{text}");
+    let (written, rows) = table(&text);
+    assert_eq!(written.field.subject, Subject::NextAnchor);
+    let mut refused = 0;
+    for (k, ([x, y, z], cell)) in rows.iter().enumerate() {
+        let inside = (3.2..4.2).contains(x) && (0.6..1.4).contains(y);
+        assert_eq!(cell.is_none(), inside, "{x} {y}");
+        refused += usize::from(inside);
+        if k % 9 > 0 && !inside {
+            continue;
+        }
+        let text = field(&["--at", &format!("{x},{y},{z}"), "--format", "json"]);
+        let document: serde_json::Value = serde_json::from_str(&text).unwrap();
+        assert_eq!(document["bound_with_one_more_anchor"].as_f64(), *cell, "{text}");
+        assert_eq!(document["unit"], serde_json::json!("deg"));
+        let now = degrees(advise(&scenario).unwrap().value.unwrap());
+        assert_eq!(document["bound_now"].as_f64(), Some(now));
+        assert_eq!(document["cause"].is_null(), cell.is_some());
+    }
+    assert!(refused > 0);
+    let sentence = field(&["--at", "3.5,1,1"]);
+    assert!(sentence.ends_with("there: none\nno anchor may stand inside keep-out zone 1\n"), "{sentence}");
+    let document: serde_json::Value = serde_json::from_str(&field(&["--format", "json"])).unwrap();
+    let best = best_next(&scenario).unwrap().unwrap().point;
+    assert_eq!(document["best_next_anchor"], serde_json::json!(best));
 }
 
 #[test]
@@ -171,6 +221,49 @@ fn a_picture_holds_its_scenario_and_shows_what_is_not_seen() {
     assert!((frame..field).all(|i| seen[i] == good[i]), "nothing is worse than a kilometre");
 }
 
+/// Of the pixels along a line of the room's picture, the part that is dark.
+fn dark_along(scenario: &Scenario, name: &str, options: &[&str], from: [f64; 2], to: [f64; 2]) -> f64 {
+    const INK: [u8; 3] = [0x16, 0x19, 0x1f];
+    let file = folder(&format!("obstacles {name}")).join("field.png");
+    let command = [&["field", "-", "--format", "png", "-o", file.to_str().unwrap()], options].concat();
+    rangelab_with(&scenario.to_json(), &command).data();
+    let decoder = png::Decoder::new(std::io::BufReader::new(std::fs::File::open(&file).unwrap()));
+    let mut reader = decoder.read_info().unwrap();
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+    let width = reader.next_frame(&mut bytes).unwrap().width as usize;
+    let pixels: &[[u8; 3]] = bytes.as_chunks().0;
+    // The field's rectangle, 8 m x 7 m from (-1, -1), is 640 pixels wide and begins 88 pixels from both edges.
+    let layout = with_dimension!(scenario.dimension, D => layout_of::<D>(scenario, 8)).unwrap();
+    assert_eq!((layout.corner[0], layout.u[0], layout.v[1]), (-1.0, 8.0, 7.0));
+    let dark = |k: i32| {
+        let at = |axis: usize| from[axis] + f64::from(k) / 200.0 * (to[axis] - from[axis]);
+        let (column, row) = (88.0 + 80.0 * (at(0) + 1.0), 88.0 + 80.0 * (6.0 - at(1)));
+        pixels[row.round() as usize * width + column.round() as usize] == INK
+    };
+    f64::from((0..=200).filter(|k| dark(*k)).count() as u32) / 201.0
+}
+
+#[test]
+fn a_picture_shows_what_blocks_lines_of_sight_and_keeps_anchors_out() {
+    let mut scenario = next_anchor();
+    let wall = |scenario: &Scenario, name| dark_along(scenario, name, &[], [2.5, 2.1], [4.5, 3.3]);
+    assert!(wall(&scenario, "wall") > 0.97);
+    let zone = |name, options: &[&str]| dark_along(&next_anchor(), name, options, [3.2, 0.6], [4.2, 0.6]);
+    let (dashed, hidden) = (zone("zone", &["--quantity", "next-anchor"]), zone("no zone", &[]));
+    assert!((0.35..0.8).contains(&dashed) && hidden < 0.1, "{dashed} {hidden}");
+    let Obstacle::Wall { top, .. } = &mut scenario.availability.obstacles[0] else { unreachable!() };
+    *top = Some(0.5);
+    let below = wall(&scenario, "below");
+    assert!((0.35..0.8).contains(&below), "dashed where it ends below the plane: {below}");
+    scenario.availability.obstacles.clear();
+    assert!(wall(&scenario, "none") < 0.1);
+    let corner = vec![2.5, 2.1, -1.0];
+    scenario.availability.obstacles = vec![Obstacle::Box { low: corner, high: vec![4.5, 3.3, 3.0] }];
+    // Inside a box nothing is measured: hatches, but no line.
+    assert!(wall(&scenario, "diagonal of a box") < 0.5);
+    assert!(dark_along(&scenario, "box", &[], [2.5, 2.1], [4.5, 2.1]) > 0.97);
+}
+
 #[test]
 fn what_makes_no_field_is_refused() {
     let refused = |options: &[&str], words: &str| {
@@ -188,6 +281,7 @@ fn what_makes_no_field_is_refused() {
     refused(&["--at", "1,2"], "2 coordinates of the point where 3 are needed");
     refused(&["--at", "1,nan,3"], "a coordinate of --at is not a number");
     refused(&["--at", "1,2,1e300"], "a coordinate of --at is ");
+    refused(&["--at", "1,2,3", "--quantity", "position"], "--at gives both bounds of the body");
     refused(&["--at", "1,2,3", "--format", "png"], "--at gives a sentence, or json");
     rangelab(&["field", "planar", "--plane", "body"]).refused("field.plane is tilted or raised");
     rangelab_with("{}", &["field", "-"]).refused("stdin: ");

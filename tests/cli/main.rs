@@ -2,14 +2,16 @@
 
 mod command;
 mod field;
+mod figure;
+mod localize;
 mod place;
 mod refusals;
 
 use command::{Outcome, folder, rangelab, rangelab_with};
-use rangelab::model::presets::PRESETS;
+use rangelab::model::presets::{PRESETS, preset};
 use rangelab::model::recording::RecordingDocument;
 use rangelab::model::run::Run;
-use rangelab::model::scenario::Scenario;
+use rangelab::model::scenario::{Scenario, WeightSource};
 use rangelab::study::report::StudyReport;
 
 #[test]
@@ -42,6 +44,18 @@ fn a_recording_gives_the_same_estimates_as_the_run_it_comes_from() {
         let other = rangelab(&["run", preset, "--trial", "6"]).data();
         assert_ne!(other, run, "{preset}: trials differ");
     }
+}
+
+#[test]
+fn sensors_off_their_places_disturb_the_recording_which_does_not_tell_where_they_are() {
+    let given = Scenario { weights: WeightSource::True, ..preset("room").unwrap() };
+    let mounted = Scenario { mounting_sigma: 0.02, ..given.clone() }.to_json();
+    let recording = rangelab_with(&mounted, &["simulate", "-"]).data();
+    assert_eq!(RecordingDocument::from_json(&recording).unwrap().sensors, given.sensors);
+    let estimated = rangelab_with(&recording, &["estimate", "-"]).data();
+    let run = |scenario: &str| Run::from_json(&rangelab_with(scenario, &["run", "-"]).data()).unwrap();
+    assert_eq!(Run::from_json(&estimated).unwrap(), run(&mounted));
+    assert_ne!(run(&given.to_json()), run(&mounted));
 }
 
 #[test]

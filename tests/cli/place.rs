@@ -1,7 +1,7 @@
 //! `rangelab place`: the table, the scenario that is written, and what is refused.
 
 use rangelab::model::scenario::Scenario;
-use rangelab::place::improve;
+use rangelab::place::{best_next, improve};
 
 use crate::command::{folder, rangelab, rangelab_with};
 
@@ -35,6 +35,17 @@ fn anchors_are_placed_and_written() {
         assert!((share - 100.0 * best / value).abs() < 0.06, "{table}");
     }
     let (before, after) = (number_after(&table, "before: "), number_after(&table, "after: "));
+    let next = best_next(&scenario).unwrap().unwrap();
+    for (words, value) in [
+        ("plane of the field: best at (", next.point[0]),
+        ("m, ", next.before.unwrap()),
+        ("now, ", next.after.unwrap()),
+    ] {
+        let line = table.lines().last().unwrap();
+        let text = line.split_once(words).unwrap().1;
+        let printed: f64 = text.split([',', ' ']).next().unwrap().parse().unwrap();
+        assert!((printed - value).abs() < 1e-3 * value.abs(), "{words}{printed}: {value}");
+    }
     assert!(after < 0.98 * before && (after / best - 1.0).abs() < 1e-9, "{table}");
     let written = Scenario::from_json(&std::fs::read_to_string(&path).unwrap()).unwrap();
     assert_eq!(Scenario { anchors: scenario.anchors.clone(), ..written.clone() }, scenario);

@@ -75,6 +75,15 @@ fn only_the_first_problems_are_named_and_validate_lists_all() {
 }
 
 #[test]
+fn a_mounting_error_below_zero_is_a_problem_with_its_limit() {
+    let scenario = rangelab(&["presets", "room"]).data();
+    let spoiled = scenario.replacen("\"mounting_sigma\":0.0", "\"mounting_sigma\":-0.01", 1);
+    let listed = rangelab_with(&spoiled, &["validate", "-"]);
+    assert_eq!((listed.code, &*listed.stdout), (2, "mounting_sigma is -0.01, allowed: from 0 to 1e9 m\n"));
+    rangelab_with(&spoiled, &["simulate", "-"]).refused("mounting_sigma is -0.01");
+}
+
+#[test]
 fn files_that_cannot_be_read_are_refused() {
     let folder = folder("refusals");
     let bytes = folder.join("bytes.json");
@@ -126,6 +135,7 @@ fn help_names_every_option_and_its_examples_work() {
             "field",
             "--plane --height --heading-deg --offset --quantity --form --headings --limit --resolution --at --format --output",
         ),
+        ("figure", "[NAME] --trials --seed --threads --format --output"),
         ("place", "--restarts --threads --criterion --target --over --output --seed"),
         ("presets", "--output [NAME]"),
         ("validate", "--format --output <FILE>"),

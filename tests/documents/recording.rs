@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use super::{Rule, as_value, breaks_only, problems_of};
 
-/// Every preset, with and without true weights and missing ranges.
+/// Every preset, with and without true weights, missing ranges and displaced sensors.
 fn scenarios() -> Vec<Scenario> {
     let mut all = Vec::new();
     for each in PRESETS {
@@ -17,6 +17,7 @@ fn scenarios() -> Vec<Scenario> {
             for missing_probability in [0.0, 0.3] {
                 all.push(Scenario { weights, missing_probability, ..each.scenario() });
             }
+            all.push(Scenario { weights, mounting_sigma: 0.02, ..each.scenario() });
         }
     }
     all

@@ -52,6 +52,8 @@ fn every_rule_of_what_is_measured_can_be_broken() {
         ("/redraw_anchors", json!({"half_width": 0}), "redraw_anchors.half_width", "0"),
         ("/sensors", json!([]), "sensors", "0 long"),
         ("/sensors/1/2", json!(-1e10), "sensors[1][2]", "-1e10"),
+        ("/mounting_sigma", json!(-0.01), "mounting_sigma", "-0.01"),
+        ("/mounting_sigma", json!(2e9), "mounting_sigma", "2e9"),
         ("/noise", json!({"kind": "range", "sigma": 0}), "noise.sigma", "0"),
         ("/noise", json!({"kind": "squared_range", "sigma": -1}), "noise.sigma", "-1"),
         ("/noise", json!({"kind": "toa", "zeta_db": 301}), "noise.zeta_db", "301"),
@@ -224,9 +226,10 @@ fn all_problems_are_listed_at_once() {
 
 #[test]
 fn numbers_that_are_not_finite_are_refused_in_every_field() {
-    let spoil: [fn(&mut Scenario, f64); 18] = [
+    let spoil: [fn(&mut Scenario, f64); 19] = [
         |s, x| s.anchors[0][0] = x,
         |s, x| s.sensors[0][0] = x,
+        |s, x| s.mounting_sigma = x,
         |s, x| s.noise = RangeNoise::Range { sigma: x },
         |s, x| s.noise = RangeNoise::Toa { zeta_db: x },
         |s, x| s.missing_probability = x,

@@ -1,13 +1,20 @@
 //! A short fingerprint of every number of a run, the same natively and in the browser only if every bit is.
+#![allow(dead_code, reason = "each module's test uses its own part")]
 
-use rangelab::bounds::field::{Field, FieldLayout};
+use rangelab::bounds::field::{Field, FieldLayout, layout_of};
+use rangelab::math::rotation::Manifold;
 use rangelab::model::document::entries::PoseEntries;
-use rangelab::model::field_settings::{FieldSettings, Quantity};
+use rangelab::model::field_settings::{FieldSettings, Quantity, Subject};
+use rangelab::model::localize_settings::Loss;
+use rangelab::model::noise::RangeNoise;
+use rangelab::model::placement_settings::Criterion;
 use rangelab::model::presets::preset;
 use rangelab::model::ranging::RangeForm;
 use rangelab::model::run::{BoundRecord, Run, StepRecord};
 use rangelab::model::scenario::Scenario;
-use rangelab::place::improve;
+use rangelab::place::{best_next, field_rows, improve};
+use rangelab::study::localization::LocalizationStudy;
+use rangelab::study::localization::run::localize_trial;
 use rangelab::with_dimension;
 
 /// FNV-1a, 64 bits.
@@ -96,17 +103,32 @@ pub fn study_fingerprint(name: &str, numbers: &[f64]) -> String {
     line(name, |hash| hash.numbers(numbers))
 }
 
-/// A line for the field and one for better anchors, of a scenario in the plane and of two in space.
+/// A line for the field, one for the next anchor and one for better anchors, of a scenario in the plane and of two in space.
 pub fn geometry_fingerprints() -> String {
     let each = |name: &str| {
         let scenario = preset(name).unwrap();
         let field = with_dimension!(scenario.dimension, D => Ok(field_values::<D>(&scenario))).unwrap();
         let anchors = |restart| improve(&scenario, restart).unwrap().anchors.concat();
         let better: Vec<f64> = (0..2).flat_map(anchors).collect();
+        let best = best_next(&scenario).unwrap().unwrap();
+        let next = [next_values(&scenario), best.point, vec![best.after.unwrap()]].concat();
         line(&format!("field of {name}"), |hash| hash.numbers(&field))
+            + &line(&format!("next anchor of {name}"), |hash| hash.numbers(&next))
             + &line(&format!("placement of {name}"), |hash| hash.numbers(&better))
     };
     ["planar", "room", "coplanar-ceiling"].map(each).concat()
+}
+
+/// The next anchor over the plane of the field, of each criterion.
+fn next_values(scenario: &Scenario) -> Vec<f64> {
+    let layout = with_dimension!(scenario.dimension, D => layout_of::<D>(scenario, 9)).unwrap();
+    let mut scenario = scenario.clone();
+    scenario.field.subject = Subject::NextAnchor;
+    let values = |criterion| {
+        scenario.placement.criterion = criterion;
+        field_rows(&scenario, &layout, 0, layout.height).unwrap()
+    };
+    [Criterion::A, Criterion::D, Criterion::E].map(values).concat()
 }
 
 fn field_values<const D: usize>(scenario: &Scenario) -> Vec<f64> {
@@ -118,4 +140,33 @@ fn field_values<const D: usize>(scenario: &Scenario) -> Vec<f64> {
     };
     [value(Quantity::Position, RangeForm::Raw, 1), value(Quantity::Orientation, RangeForm::Projected, 3)]
         .concat()
+}
+
+/// A line for one trial and one for a short study of the snapshot estimators, with every choice that leads elsewhere.
+pub fn snapshot_fingerprints() -> String {
+    let each = |(name, noises): (&str, [RangeNoise; 2])| {
+        let mut scenario = preset(name).unwrap();
+        scenario.localize.multi_start = true;
+        scenario.localize.loss = Loss::Huber { scale: 1.345 };
+        scenario.mounting_sigma = 0.01;
+        let run = localize_trial(&scenario, 0).unwrap();
+        scenario.localize.manifold = Manifold::O;
+        let study = LocalizationStudy::new(&scenario, noises.to_vec(), 7).unwrap();
+        line(&format!("snapshot of {name}"), |hash| {
+            hash.bytes(serde_json::to_string(&run).unwrap().as_bytes());
+        }) + &line(&format!("localization of {name}"), |hash| {
+            hash.numbers(&study.block(0).unwrap().to_numbers());
+        })
+    };
+    let ranges = [0.3, 0.01].map(|sigma| RangeNoise::Range { sigma });
+    let times = [20.0, 60.0].map(|zeta_db| RangeNoise::Toa { zeta_db });
+    [
+        ("planar", ranges),
+        ("missing-ranges", ranges),
+        ("three-anchors", ranges),
+        ("localization-paper", times),
+        ("localization-paper-redrawn", times),
+    ]
+    .map(each)
+    .concat()
 }

@@ -56,7 +56,14 @@ fn modules_keep_to_their_floors_and_fences() {
 
 #[test]
 fn packages_keep_to_their_fences() {
-    let manifests = ["web/scene/Cargo.toml", "web/wasm/Cargo.toml"];
+    let manifests: Vec<String> = files()
+        .into_iter()
+        .filter(|file| file.starts_with("web/") && file.ends_with("/Cargo.toml"))
+        .collect();
+    assert!(
+        manifests.len() > 3,
+        "the scene and the modules of the engine have manifests, found {manifests:?}"
+    );
     assert_none(
         &manifests.iter().flat_map(|file| rules::broken_dependencies(file, &read(file))).collect::<Vec<_>>(),
     );
@@ -118,7 +125,7 @@ const SPOILED: [(&str, &str, &str); 17] = [
     ("crate/model/motion.rs", "let s = libm::sin(1.0);", "foreign"),
     ("crate/study/monte_carlo.rs", "use std::{thread, iter};", "foreign"),
     ("web/scene/lib.rs", "use rangelab::track::KalmanFilter;", "foreign"),
-    ("web/wasm/lib.rs", "use rangelab_scene::Scene;", "foreign"),
+    ("web/wasm/track/lib.rs", "use rangelab_scene::Scene;", "foreign"),
 ];
 
 #[test]
@@ -148,7 +155,7 @@ fn sound_sources_are_accepted() {
         ("crate/study/metrics.rs", "use crate::{bounds, simulate, track};"),
         ("crate/lib.rs", "pub use crate::simulate::simulate; mod study;"),
         ("crate/main.rs", "use rangelab::study; use std::{fs, thread};"),
-        ("web/wasm/lib.rs", "use rangelab::track;"),
+        ("web/wasm/track/lib.rs", "use rangelab::track;"),
     ];
     for (path, source) in sound {
         assert_none(&rules::broken_rules(path, source));
@@ -168,9 +175,9 @@ fn spoiled_packages_and_imports_are_rejected() {
             "{spoiled}"
         );
     }
-    assert_eq!(rules::broken_dependencies("web/wasm/Cargo.toml", &package("wgpu = \"30\"")).len(), 1);
+    assert_eq!(rules::broken_dependencies("web/wasm/track/Cargo.toml", &package("wgpu = \"30\"")).len(), 1);
     let import = "const scene = await import(\"../wasm/scene-webgl/rangelab_scene.js\");";
-    assert_none(&rules::broken_imports("web/page/src/engine.ts", import));
+    assert_none(&rules::broken_imports("web/page/src/engine/scene.ts", import));
     assert_eq!(rules::broken_imports("web/page/src/labs/track/Track.svelte", import).len(), 1);
 }
 

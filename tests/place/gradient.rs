@@ -4,6 +4,7 @@
 use nalgebra::{DMatrix, DVector, SVector};
 use rangelab::math::pose::Pose;
 use rangelab::math::tangent::{TangentVector, split, tangent_dimension};
+use rangelab::model::availability::Availability;
 use rangelab::model::placement_settings::{Criterion, Over, Target};
 use rangelab::model::ranging::RangeForm;
 use rangelab::model::scenario::Scenario;
@@ -11,9 +12,14 @@ use rangelab::place::figure::Sharpness;
 use rangelab::place::{Placement, advise};
 
 use crate::in_plane_and_space;
-use crate::scenes::{CRITERIA, FORMS, OVERS, TARGETS, placement, random, typed};
+use crate::scenes::{CRITERIA, FORMS, OVERS, TARGETS, obstructed, placement, random, typed};
 
-in_plane_and_space!(the_slope_is_that_of_the_value, weights_move_with_the_anchors, advice_leads_downhill);
+in_plane_and_space!(
+    the_slope_is_that_of_the_value,
+    the_slope_knows_walls_and_longest_ranges,
+    weights_move_with_the_anchors,
+    advice_leads_downhill
+);
 
 const STEP: f64 = 1e-4;
 const TOLERANCE: f64 = 1e-5;
@@ -117,6 +123,31 @@ fn row<const D: usize>(pose: &Pose<D>, anchor: &SVector<f64, D>, sensor: &SVecto
         step[i] = STEP;
         (squared(&step) - squared(&-step)) / (2.0 * STEP)
     })
+}
+
+/// With ranges taken away the slope is still that of the value; the slope of the scene without wall is not, and an anchor
+/// that nothing is measured from has none.
+fn the_slope_knows_walls_and_longest_ranges<const D: usize>() {
+    let mut compared = 0;
+    for trial in 0..6 {
+        let mut scenario = obstructed::<D>(trial);
+        scenario.availability.max_ranges = vec![Some(9.0); scenario.anchors.len()];
+        scenario.availability.max_ranges[0] = Some(1e-3);
+        let anchors = typed::<D>(&scenario.anchors);
+        for placement in every_choice::<D>(&scenario) {
+            let what = format!("{trial}: {:?} {:?} {:?}", placement.form, placement.figure, placement.over);
+            let Ok((_, gradient)) = placement.gradient(&anchors, Sharpness::Exact) else { continue };
+            let numeric = differences(&anchors, |anchors| placement.value(anchors).unwrap());
+            let found = error(&gradient, &numeric);
+            assert!(found < TOLERANCE, "{what}: {found:e}");
+            assert!(!(gradient[0].norm() > 0.0), "{what}: nothing is measured from anchor 0");
+            let blind = Placement { availability: Availability::unlimited(), ..placement.clone() };
+            let (_, blind) = blind.gradient(&anchors, Sharpness::Exact).unwrap();
+            assert!(error(&blind, &numeric) > 1e-3, "{what}: a slope that knows no walls passes");
+            compared += 1;
+        }
+    }
+    assert!(compared > 36, "{compared} slopes");
 }
 
 fn weights_move_with_the_anchors<const D: usize>() {

@@ -6,6 +6,7 @@ mod support;
 
 mod gradient;
 mod limits;
+mod next;
 mod optima;
 mod scenes;
 mod search;

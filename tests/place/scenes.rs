@@ -1,6 +1,7 @@
 //! Scenes that anchors are placed for.
 
 use nalgebra::SVector;
+use rangelab::model::availability::Obstacle;
 use rangelab::model::noise::RangeNoise;
 use rangelab::model::placement_settings::{Criterion, Over, Region, Target};
 use rangelab::model::ranging::RangeForm;
@@ -31,6 +32,18 @@ pub fn random<const D: usize>(trial: usize) -> Scenario {
     let high = low.iter().map(|x| x + 2.0).collect();
     scenario.placement.region = Some(Region { low, high });
     scenario.placement.limits = Some(cube(D, 5.0));
+    scenario
+}
+
+/// A wall through the region and a box at a corner of it, and anchors of which some do not reach all of it.
+pub fn obstructed<const D: usize>(trial: usize) -> Scenario {
+    let mut scenario = random::<D>(trial);
+    let wall =
+        Obstacle::Wall { from: vec![-1.53, 0.51], to: vec![1.49, 0.83], bottom: Some(-6.0), top: Some(6.0) };
+    let low = vec![2.2; D];
+    let block = Obstacle::Box { high: low.iter().map(|x| x + 1.0).collect(), low };
+    scenario.availability.obstacles = vec![wall, block];
+    scenario.availability.max_ranges = scenario.anchors.iter().map(|_| Some(7.0)).collect();
     scenario
 }
 

@@ -72,7 +72,16 @@ impl FieldLayout {
 
     /// The middle of a cell, m.
     pub fn centre(&self, column: usize, row: usize) -> [f64; 3] {
-        let (i, j) = ((column as f64 + 0.5) / self.width as f64, (row as f64 + 0.5) / self.height as f64);
+        self.at(self.part(column, row))
+    }
+
+    /// The middle of a cell as parts of both edges.
+    pub fn part(&self, column: usize, row: usize) -> [f64; 2] {
+        [(column as f64 + 0.5) / self.width as f64, (row as f64 + 0.5) / self.height as f64]
+    }
+
+    /// The point at parts of both edges, m.
+    pub fn at(&self, [i, j]: [f64; 2]) -> [f64; 3] {
         core::array::from_fn(|k| self.corner[k] + i * self.u[k] + j * self.v[k])
     }
 }

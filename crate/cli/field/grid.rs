@@ -1,13 +1,15 @@
 //! A field with all that table and picture say of it.
 
-use rangelab::bounds::field::{FieldLayout, NONE, field_of, layout_of};
+use rangelab::bounds::field::{FieldLayout, NONE, layout_of};
 use rangelab::math::float::degrees;
-use rangelab::model::field_settings::{FieldPlane, Quantity};
+use rangelab::model::field_settings::{FieldPlane, Quantity, Subject};
+use rangelab::model::placement_settings::{Criterion, Over, Target};
 use rangelab::model::ranging::RangeForm;
 use rangelab::model::scenario::Scenario;
+use rangelab::place::{NextPlace, best_next, field_rows};
 use rangelab::with_dimension;
 
-use super::picture::scale::short;
+use crate::cli::picture::scale::short;
 
 pub struct Grid {
     pub scenario: Scenario,
@@ -16,32 +18,49 @@ pub struct Grid {
     pub values: Vec<Option<f64>>,
     /// Larger values are marked; in the unit of the values.
     pub limit: Option<f64>,
+    /// The best place of one more anchor, where the field shows that.
+    pub best: Option<NextPlace>,
 }
 
 impl Grid {
     pub fn new(scenario: Scenario, resolution: usize) -> rangelab::Result<Self> {
-        let (layout, values) = with_dimension!(scenario.dimension, D => {
-            let layout = layout_of::<D>(&scenario, resolution)?;
-            rangelab::Result::Ok((layout, field_of::<D>(&scenario)?.rows(&layout, 0, layout.height)))
-        })?;
-        let quantity = scenario.field.quantity;
-        let values = values.iter().map(|value| (*value < NONE).then(|| shown(quantity, *value))).collect();
-        let limit = scenario.field.limit().map(|limit| shown(quantity, limit));
-        Ok(Self { scenario, layout, values, limit })
+        let layout = with_dimension!(scenario.dimension, D => layout_of::<D>(&scenario, resolution))?;
+        let values = field_rows(&scenario, &layout, 0, layout.height)?;
+        let target = scenario.placement.target;
+        let shown = |value: f64| if scenario.field.in_angles(target) { degrees(value) } else { value };
+        let values = values.iter().map(|value| (*value < NONE).then(|| shown(*value))).collect();
+        let limit = scenario.field.limit(target).map(shown);
+        let best = match scenario.field.subject {
+            Subject::Body => None,
+            Subject::NextAnchor => best_next(&scenario)?,
+        };
+        Ok(Self { scenario, layout, values, limit, best })
     }
 
     pub fn unit(&self) -> &'static str {
-        match self.scenario.field.quantity {
-            Quantity::Position => "m",
-            Quantity::Orientation => "deg",
+        if self.scenario.field.in_angles(self.scenario.placement.target) { "deg" } else { "m" }
+    }
+
+    /// What is bounded.
+    pub fn quantity(&self) -> &'static str {
+        match (self.scenario.field.subject, self.scenario.field.quantity, self.scenario.placement.target) {
+            (Subject::Body, Quantity::Position, _) | (Subject::NextAnchor, _, Target::Position) => "position",
+            (Subject::Body, Quantity::Orientation, _) | (Subject::NextAnchor, _, Target::Orientation) => {
+                "orientation"
+            }
+            (Subject::NextAnchor, _, Target::Pose) => "pose",
         }
     }
 
-    pub fn quantity(&self) -> &'static str {
-        match self.scenario.field.quantity {
-            Quantity::Position => "position",
-            Quantity::Orientation => "orientation",
-        }
+    /// Whether the field is that of one more anchor.
+    pub fn of_next_anchor(&self) -> bool {
+        self.scenario.field.subject == Subject::NextAnchor
+    }
+
+    /// The heading of the values in a table.
+    pub fn column(&self) -> String {
+        let subject = if self.of_next_anchor() { "_with_one_more_anchor" } else { "" };
+        format!("{}_bound{subject}_{}", self.quantity(), self.unit())
     }
 
     /// Where the body starts, m.
@@ -53,7 +72,8 @@ impl Grid {
     pub fn title(&self) -> String {
         let name = &self.scenario.name;
         let of = if name.is_empty() { String::new() } else { format!(": {name}") };
-        format!("Bound (UC-CRB) on the {}, {}{of}", self.quantity(), self.unit())
+        let subject = if self.of_next_anchor() { " with one more anchor here" } else { "" };
+        format!("Bound (UC-CRB) on the {}{subject}, {}{of}", self.quantity(), self.unit())
     }
 
     /// Over which plane, of which ranges and headings.
@@ -76,15 +96,23 @@ impl Grid {
             1 => "the body's attitude".to_owned(),
             headings => format!("root mean square of {headings} headings"),
         };
-        format!("{plane}; {form}; {heading}")
+        let goal = if self.of_next_anchor() { format!("; {}", self.goal()) } else { String::new() };
+        format!("{plane}; {form}; {heading}{goal}")
     }
-}
 
-/// Metres stay, radians become degrees.
-fn shown(quantity: Quantity, value: f64) -> f64 {
-    match quantity {
-        Quantity::Position => value,
-        Quantity::Orientation => degrees(value),
+    /// What the adviser makes small.
+    fn goal(&self) -> String {
+        let placement = &self.scenario.placement;
+        let criterion = match placement.criterion {
+            Criterion::A => "A-optimal",
+            Criterion::D => "D-optimal",
+            Criterion::E => "E-optimal",
+        };
+        match (&placement.region, placement.over) {
+            (None, _) => criterion.to_owned(),
+            (Some(_), Over::Mean) => format!("{criterion}, mean of the region"),
+            (Some(_), Over::Worst) => format!("{criterion}, worst of the region"),
+        }
     }
 }
 

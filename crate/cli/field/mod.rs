@@ -22,12 +22,14 @@ Examples:
   rangelab field room --quantity orientation --limit 2   in degrees, as a table
   rangelab field room --plane vertical --heading-deg 90 --offset -3
   rangelab field room --at 4,3,1                         the bounds at one point, with a sentence
+  rangelab field room --quantity next-anchor             where one more anchor helps most; goal: see `rangelab place`
 
 The bound is the UC-CRB: no unbiased estimator is better from the ranges of one epoch. The body has the attitude that it \
 starts with. A cell's value is empty where some motion of the body is not seen at all. Table and picture hold the \
 scenario.";
 
-/// Write the bound on position or orientation over a plane, as table or picture, or at one point
+/// Write the bound on position or orientation over a plane, as table or picture, or at one point: of the body there, or
+/// with one more anchor there
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct FieldCommand {
@@ -52,7 +54,7 @@ pub struct FieldCommand {
         allow_hyphen_values = true,
         help_heading = "Output"
     )]
-    #[arg(conflicts_with_all = ["plane", "height", "heading_deg", "offset", "quantity", "headings", "limit", "resolution"])]
+    #[arg(conflicts_with_all = ["plane", "height", "heading_deg", "offset", "headings", "limit", "resolution"])]
     at: Option<Vec<f64>>,
 
     /// csv: a row for each cell; json: rows of numbers, null without a bound; png: a picture [default: csv]
@@ -75,14 +77,18 @@ impl FieldCommand {
         let plane = self.plane.choice()?;
         let scenario = self.scenario.scenario(|scenario| {
             plane.apply(&mut scenario.field.plane);
-            self.settings.apply(&mut scenario.field);
+            self.settings.apply(scenario);
         })?;
         let about = |error| Failure::about(self.scenario.name(), &error);
         if let Some(point) = &self.at {
-            let bound = point::bound(&scenario, point).map_err(about)?;
+            if self.settings.is_of_body() {
+                let sentence = "--at gives both bounds of the body; with --quantity next-anchor, those of one more anchor";
+                return Err(Failure::Usage(sentence.to_owned()));
+            }
+            let found = point::found(&scenario, point).map_err(about)?;
             return self.output.write(&match self.format {
-                None => point::sentence(&bound),
-                Some(FieldFormat::Json) => point::json(&bound),
+                None => found.sentence(),
+                Some(FieldFormat::Json) => found.json(),
                 Some(_) => return Err(Failure::Usage("--at gives a sentence, or json".to_owned())),
             });
         }

@@ -19,7 +19,7 @@ pub fn csv(grid: &Grid) -> String {
         layout.corner, layout.u, layout.v, layout.width, layout.height
     );
     let _ = writeln!(text, "# scenario: {}", grid.scenario.to_json().trim_end());
-    let _ = writeln!(text, "x_m,y_m,z_m,{}_bound_{}", grid.quantity(), grid.unit());
+    let _ = writeln!(text, "x_m,y_m,z_m,{}", grid.column());
     for (i, value) in grid.values.iter().enumerate() {
         let [x, y, z] = layout.centre(i % layout.width, i / layout.width);
         let value = value.map_or_else(String::new, |value| value.to_string());
@@ -37,8 +37,10 @@ pub fn json(grid: &Grid) -> String {
         "title": grid.title(),
         "subtitle": grid.subtitle(),
         "quantity": grid.quantity(),
+        "one_more_anchor": grid.of_next_anchor(),
         "unit": grid.unit(),
         "limit": grid.limit,
+        "best_next_anchor": grid.best.as_ref().map(|best| &best.point),
         "layout": grid.layout,
         "values": rows,
         "scenario": scenario,

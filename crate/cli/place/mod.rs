@@ -11,7 +11,7 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use rangelab::model::placement_settings::{Criterion, Over, Target};
 use rangelab::model::scenario::Scenario;
-use rangelab::place::Improvement;
+use rangelab::place::{Improvement, best_next};
 
 use super::failure::Failure;
 use super::input::ScenarioInput;
@@ -27,7 +27,9 @@ Examples:
 The value is the unitarily constrained Cramer-Rao bound of one epoch of ranges as one number: A is the root of its \
 trace, D the geometric mean of its standard deviations, E the largest of them. Where the body may be, where anchors may \
 stand and which of them are fixed says the scenario's `placement`; form of the ranges and headings its `field`. The first \
-search starts from the anchors as they are and is never worse, the others from random places (--seed 2: others).";
+search starts from the anchors as they are and is never worse, the others from random places (--seed 2: others). The last \
+line is for the anchors as they are: where in the plane of the `field` one more would help most (`rangelab field \
+--quantity next-anchor` shows all of that plane).";
 
 /// More would be waited for too long.
 const MOST_RESTARTS: usize = 1000;
@@ -84,7 +86,8 @@ impl PlaceCommand {
         if let Some(path) = &self.output {
             save(path, &found[best].applied_to(&scenario).to_json())?;
         }
-        print(&table::table(&scenario, &found, best))
+        let next = best_next(&scenario).map_err(|error| Failure::about(self.scenario.name(), &error))?;
+        print(&table::table(&scenario, &found, best, next.as_ref()))
     }
 
     fn search(&self, scenario: &Scenario) -> rangelab::Result<Vec<Improvement>> {

@@ -3,16 +3,17 @@
 use rangelab::model::placement_settings::{Criterion, Over, Target};
 use rangelab::model::ranging::RangeForm;
 use rangelab::model::scenario::Scenario;
-use rangelab::place::Improvement;
+use rangelab::place::{Improvement, NextPlace};
 
-/// What is made small, the searches, and the anchors of the best.
-pub fn table(scenario: &Scenario, found: &[Improvement], best: usize) -> String {
+/// What is made small, the searches, the anchors of the best, and where one more would help the anchors as they are.
+pub fn table(scenario: &Scenario, found: &[Improvement], best: usize, next: Option<&NextPlace>) -> String {
     let best = &found[best];
     let mut lines = vec![goal(scenario), String::new()];
     lines.push(format!("search  {:<11}  of the best", format!("value, {}", best.unit)));
     lines.extend(found.iter().map(|search| row(search, best)));
     lines.extend([String::new(), summary(best), String::new()]);
     lines.extend(anchors(scenario, best));
+    lines.extend([String::new(), one_more(next)]);
     lines.join("\n")
 }
 
@@ -29,6 +30,18 @@ fn summary(best: &Improvement) -> String {
     };
     let (change, more) = (100.0 * (ratio - 1.0).abs(), if ratio > 1.0 { "more" } else { "less" });
     format!("before: {before} {unit}; after: {after} {unit}, {change:.1} % {more} (search {})", best.restart)
+}
+
+fn one_more(next: Option<&NextPlace>) -> String {
+    let Some(next) = next else {
+        return "one more anchor in the plane of the field: no place gives a bound".into();
+    };
+    let place: Vec<String> = next.point.iter().map(|x| format!("{x:.3}")).collect();
+    let (now, with, unit) = (digits(next.before), digits(next.after), &next.unit);
+    let place = place.join(", ");
+    format!(
+        "one more anchor in the plane of the field: best at ({place}) m, {now} {unit} now, {with} {unit} with it"
+    )
 }
 
 /// What the values mean.

@@ -51,6 +51,7 @@ impl Limit {
     pub const PROBABILITY: Self = Self::from(0.0, 1.0, "");
     pub const VARIANCE: Self = Self::above_zero(1e12, "");
     pub const EPSILON: Self = Self::from(0.0, 1e6, "");
+    pub const HUBER_SCALE: Self = Self::above_zero(1e6, " standard deviations");
     pub const ENTRY: Self = Self::from(-1e6, 1e6, "");
     pub const RATE: Self = Self::from(1e-3, 1e5, " Hz");
     pub const DENSITY: Self = Self::from(0.0, 1e6, "");

@@ -16,6 +16,7 @@ use super::document::entries::PoseEntries;
 use super::document::{Written, read, write};
 use super::estimator_settings::EstimatorSettings;
 use super::field_settings::FieldSettings;
+use super::localize_settings::LocalizeSettings;
 use super::motion::ProcessNoise;
 use super::noise::RangeNoise;
 use super::path::PathSettings;
@@ -53,6 +54,10 @@ pub struct Scenario {
     pub redraw_anchors: Option<RedrawAnchors>,
     /// Positions of the sensors in the body frame, m.
     pub sensors: Vec<Vec<f64>>,
+    /// Standard deviation `sigma_e` of each coordinate of a sensor's real place on the body about the one given (\[L\]
+    /// Sec. VII), m; drawn anew for every trial. Estimators and bounds know nothing of it.
+    #[serde(default)]
+    pub mounting_sigma: f64,
     /// How ranges are disturbed; estimators know it.
     pub noise: RangeNoise,
     /// Which ranges give the weights.
@@ -98,6 +103,9 @@ pub struct Scenario {
     /// What the placement adviser makes small.
     #[serde(default)]
     pub placement: PlacementSettings,
+    /// Which snapshot estimators run, and how.
+    #[serde(default)]
+    pub localize: LocalizeSettings,
     /// Hints of the page (camera, open panels); carried along, never read.
     #[serde(default)]
     #[cfg_attr(feature = "typescript", ts(type = "Record<string, unknown> | null"))]

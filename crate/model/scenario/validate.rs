@@ -20,6 +20,7 @@ pub fn problems(scenario: &Scenario) -> Vec<Problem> {
         check.number("redraw_anchors.half_width", redraw.half_width, Limit::LENGTH);
     }
     check.points("sensors", &scenario.sensors, dimension);
+    check.number("mounting_sigma", scenario.mounting_sigma, Limit::POSITION_NOISE);
     check.noise(&scenario.noise);
     check.number("missing_probability", scenario.missing_probability, Limit::PROBABILITY);
     check.number("interval", scenario.interval, Limit::INTERVAL);
@@ -40,6 +41,7 @@ pub fn problems(scenario: &Scenario) -> Vec<Problem> {
     availability::check(&mut check, &scenario.availability, anchors, dimension);
     scenario.field.check(&mut check, dimension);
     scenario.placement.check(&mut check, anchors, dimension);
+    scenario.localize.check(&mut check);
     check.view(scenario.view.as_ref());
     check.into_problems()
 }

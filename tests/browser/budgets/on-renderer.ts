@@ -36,6 +36,17 @@ export function measureOn(renderer: "canvas2d" | "webgpu"): void {
     atMost(info, `frame while playing 1000 steps, p95${note}`, quantile(frames, 0.95), 34, "ms", false);
   });
 
+  test(`drag in Explore on ${renderer}`, async ({ page }, info) => {
+    test.setTimeout(300_000);
+    const lab = await Lab.open(page, `./${address}`);
+    await page.getByRole("navigation", { name: "Labs" }).getByRole("button", { name: "Explore" }).click();
+    await expect(page.getByRole("table", { name: "Bounds of one epoch" })).toBeVisible();
+    const drags = await dragTimes(lab, 200);
+    expect(drags.length).toBeGreaterThan(50);
+    atMost(info, `drag to picture in Explore, p50${note}`, quantile(drags, 0.5), 16, "ms", false);
+    atMost(info, `drag to picture in Explore, p95${note}`, quantile(drags, 0.95), 16, "ms", false);
+  });
+
   test(`memory over ${minutes} minutes of play on ${renderer}`, async ({ page }, info) => {
     test.setTimeout((minutes + 5) * 60_000);
     await watchMemories(page);

@@ -6,6 +6,7 @@ import type { Scenario } from "./scenario";
 import type { Shape } from "./scene/draw-list";
 import type { FieldPicture } from "./scene/field";
 import type { Label, Layer, SceneInput } from "./scene/input";
+import type { Drawing, Handle } from "./state/handles";
 import type { StudyCurves } from "./study";
 
 /** What every lab's run has: all that the frame itself reads of it. */
@@ -42,13 +43,21 @@ export interface Lab<R extends LabRun = LabRun> {
   readonly order: number;
   /** Labs of one family can show each other's scenes: going from one to another keeps the scene. */
   readonly family?: string;
+  /** Brings what the lab needs besides the page itself; a lab without it is there at once. It can be asked for again. */
+  load?(): Promise<void>;
   presets(): readonly Preset[];
   preset(name: string): Scenario;
   /** What opens without a link. */
   readonly firstPreset: string;
   /** Throws an `Error` with a sentence. */
   compute(scenario: Scenario): R;
+  /** What the scene is a picture of, as its name for those who do not see it. */
+  readonly shows: string;
   readonly layers: readonly Layer<R>[];
+  /** What is chosen and moved beside the anchors and the start of the body; a lab with handles draws their layer. */
+  handles?(scenario: Scenario): readonly Handle[];
+  /** What one can draw over the floor by hand. */
+  readonly drawings?: readonly Drawing[];
   /** A grid of numbers under the layers, the same object as long as it shows the same; a lab without it draws none. */
   field?(input: SceneInput<R>): FieldPicture | null;
   labels(input: SceneInput<R>): Label[];
@@ -63,6 +72,8 @@ export interface Lab<R extends LabRun = LabRun> {
   marks(run: R): readonly TimelineMarks[];
   /** What the run shows at a step, in a few sentences. */
   describe(run: R, step: number): string;
+  /** What stands beside the plots, in their pane; a lab without it leaves them all the room. */
+  readonly Bench?: Component;
   readonly Controls: Component;
   readonly Readout: Component;
 }

@@ -3,7 +3,7 @@ import "./theme/tokens.css";
 import "./theme/base.css";
 import { mount } from "svelte";
 import App from "./App.svelte";
-import { loadEngine } from "./engine";
+import { trackModule } from "./engine";
 import NoStart from "./frame/NoStart.svelte";
 import { LABS } from "./labs";
 import { startSession } from "./state/start";
@@ -16,7 +16,7 @@ async function start(): Promise<void> {
   const theme = initialTheme();
   applyTheme(themeOf(theme, matchMedia("(prefers-color-scheme: dark)").matches));
   try {
-    await loadEngine();
+    await trackModule.load();
     const session = await startSession(location.hash, LABS);
     mount(App, { target, props: { workspace: new Workspace(session, theme) } });
   } catch (error) {

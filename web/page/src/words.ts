@@ -12,6 +12,11 @@ export function joined(estimators: readonly { label: string }[]): string {
   return new Intl.ListFormat("en-GB").format(estimators.map(({ label }) => label));
 }
 
+/** As a sentence goes on. */
+export function lowerFirst(text: string): string {
+  return text.charAt(0).toLowerCase() + text.slice(1);
+}
+
 /** With a capital letter, as sentences begin; symbols such as x stay as they are. */
 export function startOf(text: string): string {
   return /^\w\b/.test(text) ? text : text.charAt(0).toUpperCase() + text.slice(1);

@@ -1,21 +1,25 @@
 //! Anchors and body, seen along the normal of the plane.
 
-use super::canvas::{Canvas, Frame, LINE, text_width};
 use super::colours::{INK, PAPER};
-use super::dot;
 use crate::cli::field::grid::{Grid, lifted};
+use crate::cli::picture::canvas::{Canvas, Frame, LINE, text_width};
 
 /// Half of the height of an anchor's box, pixels.
 const HALF: usize = LINE / 2 + 1;
+/// In the box of the best place of one more anchor.
+pub const NEXT: &str = "+";
 /// Half of an arm of the body's cross.
 const ARM: usize = 7;
 
 pub fn draw(canvas: &mut Canvas, frame: Frame, grid: &Grid) {
-    let place = |point: [f64; 3]| frame.pixel(place(grid, point));
+    let place = |point: [f64; 3]| frame.pixel(super::place(grid, point));
     for (m, anchor) in grid.scenario.anchors.iter().enumerate() {
         anchor_box(canvas, place(lifted(anchor)), &(m + 1).to_string());
     }
     cross(canvas, place(grid.body()));
+    if let Some(best) = &grid.best {
+        anchor_box(canvas, place(lifted(&best.point)), NEXT);
+    }
 }
 
 /// An anchor: its number in a box, readable on every colour.
@@ -36,10 +40,4 @@ pub fn cross(canvas: &mut Canvas, [x, y]: [usize; 2]) {
             canvas.fill(Frame { left, top, width: 2 * across + 1, height: 2 * up + 1 }, colour);
         }
     }
-}
-
-/// Parts of both edges.
-fn place(grid: &Grid, point: [f64; 3]) -> [f64; 2] {
-    let from_corner = core::array::from_fn(|i| point[i] - grid.layout.corner[i]);
-    [grid.layout.u, grid.layout.v].map(|edge| dot(&from_corner, &edge) / dot(&edge, &edge))
 }

@@ -2,7 +2,7 @@ import uPlot from "uplot";
 import type { Palette } from "../theme/palette";
 import { paintExtras, paintGround } from "./paint";
 import type { Range } from "./range";
-import type { PlotLine, PlotSpec, ScaleKind } from "./spec";
+import type { PlotAxis, PlotLine, PlotSpec, ScaleKind } from "./spec";
 import { drawnSteps, stepsPerBucket, thin } from "./thin";
 import { tickLabel, ticks } from "./ticks";
 
@@ -30,12 +30,13 @@ export function plotOptions(
     ...size,
     legend: { show: false },
     cursor: { show: false },
-    padding: [0.6 * palette.fontSize, palette.fontSize, 0, 0],
+    // The last number of a logarithmic axis stands at its very end.
+    padding: [0.6 * palette.fontSize, (spec.x.scale === "log" ? 1.5 : 1) * palette.fontSize, 0, 0],
     scales: {
-      x: { time: false, range: () => timeRange(look().spec.times) },
-      y: { distr: scale === "log" ? 3 : 1, range: () => [...look().range] },
+      x: { time: false, distr: distribution(spec.x.scale), range: () => axisRange(look().spec.x) },
+      y: { distr: distribution(scale), range: () => [...look().range] },
     },
-    axes: [timeAxis(palette), valueAxis(look)],
+    axes: [acrossAxis(look), valueAxis(look)],
     series: [{}, ...spec.lines.map((line) => series(line, palette))],
     hooks: {
       drawAxes: [(plot) => paintGround(plot, look())],
@@ -44,16 +45,21 @@ export function plotOptions(
   };
 }
 
-export function timeRange(times: Float64Array): [number, number] {
-  const [first, last] = [times[0], times[times.length - 1]];
+/** uPlot's numbers for the kinds of scales. */
+function distribution(scale: ScaleKind): 1 | 3 {
+  return scale === "log" ? 3 : 1;
+}
+
+export function axisRange({ values }: PlotAxis): [number, number] {
+  const [first, last] = [values[0], values[values.length - 1]];
   return last > first ? [first, last] : [first - 1, first + 1];
 }
 
-export function plotData({ times, lines }: PlotSpec, scale: ScaleKind): uPlot.AlignedData {
-  const size = stepsPerBucket(times.length);
+export function plotData({ x, lines }: PlotSpec, scale: ScaleKind): uPlot.AlignedData {
+  const size = stepsPerBucket(x.values.length);
   const shown = (value: number | null) => (scale === "log" && value !== null && value <= 0 ? null : value);
   return [
-    drawnSteps(times.length, size).map((step) => times[step]),
+    drawnSteps(x.values.length, size).map((step) => x.values[step]),
     ...lines.map((line) => thin(line.values, size).map(shown)),
   ];
 }
@@ -68,13 +74,15 @@ export function isFaint(line: PlotLine, emphasis: string | null): boolean {
 }
 
 /** The unit stands at every number: a row of its own would cost a low plot a tenth of its height. */
-function timeAxis(palette: Palette): uPlot.Axis {
+function acrossAxis(look: () => Look): uPlot.Axis {
+  const { palette } = look();
   const most = (plot: uPlot) => plot.width / (4.5 * palette.fontSize);
   return {
     ...axis(palette),
     size: 1.7 * palette.fontSize,
-    splits: (plot, _axis, low, high) => ticks([low, high], "linear", most(plot)),
-    values: (_plot, splits) => splits.map((time) => `${tickLabel(time)} s`),
+    splits: (plot, _axis, low, high) => ticks([low, high], look().spec.x.scale, most(plot)),
+    filter: (_plot, splits) => splits,
+    values: (_plot, splits) => splits.map((value) => `${tickLabel(value)} ${look().spec.x.unit}`),
   };
 }
 

@@ -58,7 +58,7 @@ function paintSpread(plot: uPlot, look: Look, line: PlotLine): void {
   if (!standardErrors) return;
   const { ctx } = plot;
   const size = stepsPerBucket(values.length);
-  const x = drawnSteps(values.length, size).map((step) => plot.valToPos(look.spec.times[step], "x", true));
+  const x = drawnSteps(values.length, size).map((step) => plot.valToPos(look.spec.x.values[step], "x", true));
   const edge = (sign: number) =>
     thin(
       values.map((value, k) => value + sign * SPREAD * standardErrors[k]),
@@ -79,14 +79,14 @@ function paintSpread(plot: uPlot, look: Look, line: PlotLine): void {
 function paintMarks(plot: uPlot, { palette }: Look, line: PlotLine, index: number): void {
   if (!line.mark) return;
   const ratio = devicePixelRatio;
-  const [times, values] = [plot.data[0], plot.data[index + 1]];
+  const [across, values] = [plot.data[0], plot.data[index + 1]];
   const spacing = MARK_SPACING_PIXELS * palette.weight * ratio;
-  const stride = Math.ceil((spacing * times.length) / Math.max(1, plot.bbox.width));
+  const stride = Math.ceil((spacing * across.length) / Math.max(1, plot.bbox.width));
   // Estimators start their marks at different points: on shared values they alternate instead of hiding each other.
-  for (let k = stride - 1 - (index % stride); k < times.length; k += stride) {
+  for (let k = stride - 1 - (index % stride); k < across.length; k += stride) {
     const value = values[k];
     if (value === null || value === undefined) continue;
-    const at = { x: plot.valToPos(times[k], "x", true), y: plot.valToPos(value, "y", true) };
+    const at = { x: plot.valToPos(across[k], "x", true), y: plot.valToPos(value, "y", true) };
     paintMark(plot.ctx, at, 3.2 * palette.weight * ratio, SHAPES[line.mark], palette.css(line.token));
   }
 }
@@ -95,10 +95,10 @@ function paintMarks(plot: uPlot, { palette }: Look, line: PlotLine, index: numbe
 function paintEvents(plot: uPlot, { spec, palette }: Look, line: PlotLine): void {
   const { ctx, bbox } = plot;
   const size = 4 * palette.weight * devicePixelRatio;
-  const width = Math.max(1, Math.min(size, (0.6 * bbox.width) / spec.times.length));
+  const width = Math.max(1, Math.min(size, (0.6 * bbox.width) / spec.x.values.length));
   ctx.fillStyle = palette.css(line.token);
   for (const step of line.events) {
-    const x = plot.valToPos(spec.times[step], "x", true);
+    const x = plot.valToPos(spec.x.values[step], "x", true);
     ctx.fillRect(x - width / 2, bbox.top + bbox.height - 3 * size, width, 3 * size);
   }
 }
@@ -111,6 +111,6 @@ function paintThreshold(plot: uPlot, look: Look, { heights, token }: Threshold):
   ctx.beginPath();
   const steps = drawnSteps(heights.length, stepsPerBucket(heights.length));
   for (const step of steps)
-    ctx.lineTo(plot.valToPos(look.spec.times[step], "x", true), heightOf(plot, look, heights[step]));
+    ctx.lineTo(plot.valToPos(look.spec.x.values[step], "x", true), heightOf(plot, look, heights[step]));
   ctx.stroke();
 }

@@ -8,7 +8,7 @@ interface Box {
   readonly height: number;
 }
 
-/** Times and values to CSS pixels and back, within the axes of one plot. */
+/** What lies along a plot and its values to CSS pixels and back, within the axes of one plot. */
 export class Projection {
   readonly left: number;
   readonly right: number;
@@ -18,7 +18,8 @@ export class Projection {
   constructor(
     box: Box,
     pixelRatio: number,
-    readonly times: Range,
+    readonly across: Range,
+    readonly acrossScale: ScaleKind,
     readonly values: Range,
     readonly scale: ScaleKind,
   ) {
@@ -28,21 +29,17 @@ export class Projection {
     this.bottom = (box.top + box.height) / pixelRatio;
   }
 
-  x(time: number): number {
-    const [first, last] = this.times;
-    return this.left + ((time - first) / (last - first)) * (this.right - this.left);
+  x(along: number): number {
+    return this.left + shareOf(along, this.across, this.acrossScale) * (this.right - this.left);
   }
 
-  timeAt(x: number): number {
-    const [first, last] = this.times;
-    return first + ((x - this.left) / (this.right - this.left)) * (last - first);
+  /** What lies along the plot at a pixel. */
+  along(x: number): number {
+    return atShare((x - this.left) / (this.right - this.left), this.across, this.acrossScale);
   }
 
   y(value: number): number {
-    const [low, high] = this.values;
-    const share =
-      this.scale === "log" ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low);
-    return this.bottom - share * (this.bottom - this.top);
+    return this.bottom - shareOf(value, this.values, this.scale) * (this.bottom - this.top);
   }
 
   /** The height of a value, or the end of the axis where the value lies beyond it. */
@@ -52,13 +49,20 @@ export class Projection {
   }
 
   levelAt(y: number): number {
-    const [low, high] = this.values;
-    const share = (this.bottom - y) / (this.bottom - this.top);
-    return this.scale === "log" ? low * (high / low) ** share : low + share * (high - low);
+    return atShare((this.bottom - y) / (this.bottom - this.top), this.values, this.scale);
   }
 
   equals(other: Projection): boolean {
-    const numbers = (p: Projection) => [p.left, p.right, p.top, p.bottom, ...p.times, ...p.values, p.scale];
-    return numbers(this).join() === numbers(other).join();
+    const numbers = (p: Projection) => [p.left, p.right, p.top, p.bottom, ...p.across, ...p.values];
+    const scales = (p: Projection) => [p.acrossScale, p.scale];
+    return numbers(this).join() === numbers(other).join() && scales(this).join() === scales(other).join();
   }
+}
+
+function shareOf(value: number, [low, high]: Range, scale: ScaleKind): number {
+  return scale === "log" ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low);
+}
+
+function atShare(share: number, [low, high]: Range, scale: ScaleKind): number {
+  return scale === "log" ? low * (high / low) ** share : low + share * (high - low);
 }

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import { valueRange } from "./range";
-import type { PlotLine, Threshold } from "./spec";
+import { type PlotAxis, type PlotLine, type Threshold, timeAxis } from "./spec";
 
 const line = (values: number[], standardErrors: number[] | null = null): PlotLine => ({
   name: "kf",
@@ -12,7 +12,12 @@ const line = (values: number[], standardErrors: number[] | null = null): PlotLin
   standardErrors: standardErrors && Float64Array.from(standardErrors),
   events: [],
 });
-const spec = (...values: number[]) => ({ lines: [line(values)], bands: [], threshold: null });
+const spec = (...values: number[]) => ({
+  x: timeAxis(Float64Array.of(0, 1)),
+  lines: [line(values)],
+  bands: [],
+  threshold: null,
+});
 const threshold = (...heights: number[]) => ({ heights: Float64Array.from(heights) }) as unknown as Threshold;
 
 describe("a logarithmic axis", () => {
@@ -26,6 +31,11 @@ describe("a logarithmic axis", () => {
 
   test("shows at most three decades below the largest value", () => {
     expect(valueRange(spec(1e-9, 0.9), "log")).toEqual([0.0005, 1]);
+  });
+
+  test("cuts nothing off along anything but time", () => {
+    const size: PlotAxis = { ...spec(1).x, name: "size", now: 1 };
+    expect(valueRange({ ...spec(1e-5, 0.9), x: size }, "log")).toEqual([1e-5, 1]);
   });
 
   test("holds threshold, band and the errors of averages", () => {

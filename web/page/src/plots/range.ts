@@ -3,24 +3,27 @@ import { linearTicks } from "./ticks";
 
 export type Range = readonly [number, number];
 
-/** Errors dip towards zero where they change sign; what lies further below the largest value is cut off. */
+/** What the value axis has to hold. */
+type Values = Pick<PlotSpec, "x" | "lines" | "bands" | "threshold">;
+
+/** Along time errors dip towards zero where they change sign; what lies further below the largest value is cut off. */
 const MOST_DECADES = 3;
 
 /** Ends of the value axis on round numbers that hold the data, so that small changes do not move it. */
-export function valueRange(spec: Pick<PlotSpec, "lines" | "bands" | "threshold">, scale: ScaleKind): Range {
+export function valueRange(spec: Values, scale: ScaleKind): Range {
   return scale === "log" ? logRange(spec) : linearRange(spec);
 }
 
-function logRange(spec: Pick<PlotSpec, "lines" | "bands" | "threshold">): Range {
+function logRange(spec: Values): Range {
   const [low, high] = extent(spec, (value) => value > 0);
   if (high === -Infinity) return [0.1, 1];
-  const cut = Math.max(low, high / 10 ** MOST_DECADES);
+  const cut = spec.x.now === null ? Math.max(low, high / 10 ** MOST_DECADES) : low;
   const [bottom, top] = [roundDown(cut), roundUp(high)];
   return top > bottom ? [bottom, top] : [bottom / 2, top * 2];
 }
 
 /** Errors, shares and ratios start at zero. */
-function linearRange(spec: Pick<PlotSpec, "lines" | "bands" | "threshold">): Range {
+function linearRange(spec: Values): Range {
   const [, high] = extent(spec, (value) => value >= 0);
   if (!(high > 0)) return [0, 1];
   const ticks = linearTicks([0, high], 5);
@@ -28,10 +31,7 @@ function linearRange(spec: Pick<PlotSpec, "lines" | "bands" | "threshold">): Ran
   return [0, Number((step * Math.ceil(high / step - 1e-9)).toPrecision(12))];
 }
 
-function extent(
-  { lines, bands, threshold }: Pick<PlotSpec, "lines" | "bands" | "threshold">,
-  wanted: (value: number) => boolean,
-): Range {
+function extent({ lines, bands, threshold }: Values, wanted: (value: number) => boolean): Range {
   let [low, high] = [Infinity, -Infinity];
   const take = (value: number) => {
     if (!wanted(value) || !Number.isFinite(value)) return;

@@ -1,3 +1,4 @@
+import { formatReading } from "../controls/format";
 import type { Scenario } from "../scenario";
 import type { Shape } from "../scene/draw-list";
 
@@ -41,14 +42,27 @@ export interface Band {
 
 export type ScaleKind = "log" | "linear";
 
+/** What lies along a plot, a number a step, increasing. */
+export interface PlotAxis {
+  readonly name: string;
+  readonly unit: string;
+  readonly values: Float64Array;
+  readonly scale: ScaleKind;
+  /** Where the scenario lies on it; null for time, along which the timeline's cursor goes. */
+  readonly now: number | null;
+}
+
+export function timeAxis(times: Float64Array): PlotAxis {
+  return { name: "time", unit: "s", values: times, scale: "linear", now: null };
+}
+
 export interface PlotSpec {
   readonly name: string;
   readonly title: string;
   /** Short enough for a button. */
   readonly shortTitle: string;
   readonly unit: string;
-  /** Seconds. */
-  readonly times: Float64Array;
+  readonly x: PlotAxis;
   readonly lines: readonly PlotLine[];
   readonly bands: readonly Band[];
   readonly threshold: Threshold | null;
@@ -68,6 +82,16 @@ export interface PlotSource {
 /** How many standard errors the shaded band of an average reaches to either side. */
 export const SPREAD = 2;
 
-export function titleWithUnit({ title, unit }: PlotSpec): string {
-  return unit ? `${title} in ${unit}` : title;
+export function titleWithUnit({ title, unit }: Pick<PlotSpec, "title" | "unit">): string {
+  return withUnit(title, unit);
+}
+
+/** Where a step lies: "step 3, 0.300 s" or "size 0.500 m". */
+export function placeOf({ x }: Pick<PlotSpec, "x">, step: number): string {
+  const place = `${formatReading(x.values[step])} ${x.unit}`;
+  return x.now === null ? `step ${step + 1}, ${place}` : `${x.name} ${place}`;
+}
+
+export function withUnit(name: string, unit: string): string {
+  return unit ? `${name} in ${unit}` : name;
 }

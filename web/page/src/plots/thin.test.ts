@@ -1,4 +1,5 @@
 import { expect, test } from "vitest";
+import { timeAxis } from "./spec";
 import { drawnSteps, nearestStep, stepsPerBucket, thin } from "./thin";
 
 test("a run that fits is drawn as it is, with gaps where there is no number", () => {
@@ -35,8 +36,15 @@ test("a bucket without a number is a gap", () => {
 });
 
 test("the nearest step is found on uneven times", () => {
-  const times = Float64Array.of(0.1, 0.2, 0.5, 2);
+  const times = timeAxis(Float64Array.of(0.1, 0.2, 0.5, 2));
   expect([-1, 0.14, 0.16, 0.36, 1.2, 1.3, 9].map((time) => nearestStep(times, time))).toEqual([
     0, 0, 1, 2, 2, 3, 3,
   ]);
+});
+
+test("on a logarithmic axis the nearest step is the one that looks nearest", () => {
+  const values = Float64Array.of(1, 10, 100);
+  const steps = (scale: "log" | "linear") => [2, 4, 40].map((place) => nearestStep({ values, scale }, place));
+  expect(steps("log")).toEqual([0, 1, 2]);
+  expect(steps("linear")).toEqual([0, 0, 1]);
 });

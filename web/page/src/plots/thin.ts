@@ -1,3 +1,5 @@
+import type { PlotAxis } from "./spec";
+
 /** More points than this on a line cannot be told apart and slow the drawing down. */
 export const MOST_POINTS = 500;
 
@@ -35,13 +37,14 @@ function extremes(values: Float64Array, start: number, end: number): [number | n
   return least < largest ? [values[least], values[largest]] : [values[largest], values[least]];
 }
 
-/** The step whose time is nearest. */
-export function nearestStep(times: Float64Array, time: number): number {
-  let [low, high] = [0, times.length - 1];
+/** The step that lies nearest to a place on the axis, as the eye sees it. */
+export function nearestStep({ values, scale }: Pick<PlotAxis, "values" | "scale">, place: number): number {
+  let [low, high] = [0, values.length - 1];
   while (high - low > 1) {
     const middle = (low + high) >> 1;
-    if (times[middle] <= time) low = middle;
+    if (values[middle] <= place) low = middle;
     else high = middle;
   }
-  return time - times[low] <= times[high] - time ? low : high;
+  const seen = (value: number) => (scale === "log" ? Math.log(value) : value);
+  return seen(place) - seen(values[low]) <= seen(values[high]) - seen(place) ? low : high;
 }

@@ -23,17 +23,21 @@ export function drawnPosition(run: LabRun, track: PoseTrack, step: number, magni
   return add(truth, scale(sub(pointAt(track.positions, step, run.dimension), truth), magnification));
 }
 
-export function drawnSensors(
-  { scenario, frame }: SceneInput<LabRun>,
+export function drawnSensors(input: SceneInput<LabRun>, run: LabRun, track: PoseTrack, step: number): Vec3[] {
+  return drawnPlaces(input, run, track, step, input.scenario.sensors.map(lift));
+}
+
+/** Where places on the body (body frame) are drawn. */
+export function drawnPlaces(
+  { frame }: SceneInput<LabRun>,
   run: LabRun,
   track: PoseTrack,
   step: number,
+  places: readonly Vec3[],
 ): Vec3[] {
   const rotation = matrixAt(track.orientations, step, run.dimension, 1);
   const centre = drawnPosition(run, track, step, frame.magnification);
-  return scenario.sensors.map((sensor) =>
-    add(centre, scale(transform(rotation, lift(sensor)), frame.magnification)),
-  );
+  return places.map((place) => add(centre, scale(transform(rotation, place), frame.magnification)));
 }
 
 /** Metres that the axes of the body are drawn long. */

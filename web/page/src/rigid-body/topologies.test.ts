@@ -1,6 +1,6 @@
 import { beforeAll, describe, expect, test } from "vitest";
 import { topologies } from "../engine";
-import { loadEngineForTests } from "../engine.testing";
+import { loadEngineForTests } from "../engine/testing";
 import { centroid, scaled, sizeOf, topologyOf } from "./topologies";
 
 beforeAll(loadEngineForTests);

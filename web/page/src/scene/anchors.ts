@@ -1,10 +1,11 @@
 import type { LabRun } from "../lab";
 import type { Scenario } from "../scenario";
-import { placeOf, type Thing } from "../state/things";
+import { START } from "../state/handles";
+import type { Thing } from "../state/things";
 import type { DrawList } from "./draw-list";
 import { lift, type Vec3 } from "./geometry";
 import type { Label, Layer, SceneInput } from "./input";
-import { handleShows, heightHandle } from "./picking";
+import { heightHandle } from "./picking";
 
 const ANCHOR_RADIUS = 6.5;
 const START_RADIUS = 4;
@@ -15,29 +16,36 @@ export function anchorPoints({ scenario, run }: { scenario: Scenario; run: LabRu
   return (redrawn ? run.anchors : scenario.anchors).map(lift);
 }
 
-/** Everything that can be chosen, and where it is drawn. */
-export function thingPoints(input: { scenario: Scenario; run: LabRun | null }): Map<Thing, Vec3> {
-  return new Map<Thing, Vec3>([
-    ...anchorPoints(input).entries(),
-    ["start", lift(placeOf(input.scenario, "start"))],
-  ]);
-}
-
 /** Anchors and the start of the body, on stems that show where above the floor they are. */
 export const anchors: Layer = (input, out) => {
-  const { palette, selected, hovered } = input;
-  for (const [thing, point] of thingPoints(input)) {
-    const radius = thing === "start" ? START_RADIUS : ANCHOR_RADIUS;
+  const color = input.palette.rgba("anchor");
+  anchorPoints(input).forEach((point, index) => {
     stem(input, point, out);
-    out.point(point, radius, palette.rgba("anchor"), "disc");
-    if (thing === "start") out.point(point, radius + 4, palette.rgba("anchor"), "ring");
-    const chosen = selected.includes(thing);
-    if (!chosen && thing !== hovered) continue;
-    out.point(point, radius + 6, palette.rgba("accent"), "ring");
-    if (chosen) out.point(point, radius + 3, palette.rgba("accent", 0.35), "disc");
-  }
-  handle(input, out);
+    out.point(point, ANCHOR_RADIUS, color, "disc");
+    chosenMark(input, index, point, ANCHOR_RADIUS, out);
+  });
+  const start = lift(input.scenario.start.position);
+  stem(input, start, out);
+  out.point(start, START_RADIUS, color, "disc");
+  out.point(start, START_RADIUS + 4, color, "ring");
+  chosenMark(input, START, start, START_RADIUS, out);
+  lifter(input, out);
 };
+
+/** A ring around what is under the pointer, and a full one around what is chosen. */
+export function chosenMark(
+  input: SceneInput,
+  thing: Thing,
+  point: Vec3,
+  radius: number,
+  out: DrawList,
+): void {
+  const { palette, selected, hovered } = input;
+  const chosen = selected.includes(thing);
+  if (!chosen && thing !== hovered) return;
+  out.point(point, radius + 6, palette.rgba("accent"), "ring");
+  if (chosen) out.point(point, radius + 3, palette.rgba("accent", 0.35), "disc");
+}
 
 function stem({ frame, palette }: SceneInput, point: Vec3, out: DrawList): void {
   if (point[2] === frame.ground) return;
@@ -47,21 +55,22 @@ function stem({ frame, palette }: SceneInput, point: Vec3, out: DrawList): void 
 }
 
 /** The triangle that lifts what is chosen stands above what was chosen last. */
-function handle(input: SceneInput, out: DrawList): void {
-  const { palette, view, selected, scenario } = input;
-  const point = thingPoints(input).get(selected.at(-1) ?? -1);
-  if (!point || !handleShows(view) || scenario.dimension === 2) return;
-  const top = heightHandle(view, point);
-  out.line(point, top, { width: 2, color: palette.rgba("accent"), overlay: true });
+function lifter({ palette, view, lifted }: SceneInput, out: DrawList): void {
+  if (!lifted) return;
+  const top = heightHandle(view, lifted);
+  out.line(lifted, top, { width: 2, color: palette.rgba("accent"), overlay: true });
   out.point(top, 6, palette.rgba("accent"), "triangle");
 }
 
 export function anchorLabels(input: SceneInput): Label[] {
-  return [...thingPoints(input)].map(([thing, at]) => ({
-    id: `${thing}`,
+  const { scenario, selected } = input;
+  const numbers = anchorPoints(input).map((at, index): Label => ({
+    id: `${index}`,
     at,
-    text: thing === "start" ? "start" : String(thing + 1),
-    kind: thing === "start" ? "start" : "anchor",
-    strong: input.selected.includes(thing),
+    text: String(index + 1),
+    kind: "anchor",
+    strong: selected.includes(index),
   }));
+  const at = lift(scenario.start.position);
+  return [...numbers, { id: START, at, text: "start", kind: "handle", strong: selected.includes(START) }];
 }

@@ -12,13 +12,15 @@ export interface ContourLine {
   readonly level: number;
   /** x, y, z of each corner, metres. */
   readonly points: Float32Array;
-  /** Where its value is written; null on lines too short for it. */
-  readonly label: Vec3 | null;
+  /** Where its value may be written, best first; nowhere on lines too short for it. */
+  readonly labels: readonly Vec3[];
 }
 
 const MOST_LEVELS = 12;
 /** A line gets a label if it is this share of the grid's shorter edge long. */
 const LEAST_LABELLED = 0.25;
+/** Shares of its length at which the label may stand, best first. */
+const LABELLED_AT = [0.5, 0.35, 0.65, 0.2, 0.8];
 
 /** In cells: the middle of cell (i, j) is at (i + 0.5, j + 0.5). */
 type Place = readonly [number, number];
@@ -85,8 +87,9 @@ function placed(line: readonly Place[], level: number, picture: FieldPicture): C
     along.push(along[i - 1] + Math.hypot(line[i][0] - line[i - 1][0], line[i][1] - line[i - 1][1]));
   const length = along.at(-1)!;
   const labelled = length >= LEAST_LABELLED * Math.min(width, height);
-  const middle = along.findIndex((distance) => distance >= length / 2);
-  return { level, points: Float32Array.from(points.flat()), label: labelled ? points[middle] : null };
+  const at = (share: number) => points[along.findIndex((distance) => distance >= share * length)];
+  const labels = labelled ? LABELLED_AT.map(at) : [];
+  return { level, points: Float32Array.from(points.flat()), labels };
 }
 
 /** Draws the contour lines of a field; a layer calls it with the factor to the unit that is shown. */
@@ -103,12 +106,13 @@ export function fieldContours(
 
 /** The values of the lines, on them. */
 export function fieldContourLabels(picture: FieldPicture, unitScale: number, unit: string): Label[] {
-  return contourLines(picture, unitScale).flatMap(({ level, label }, i) =>
-    label
+  return contourLines(picture, unitScale).flatMap(({ level, labels: [at, ...elsewhere] }, i) =>
+    at
       ? [
           {
             id: `contour ${i}`,
-            at: label,
+            at,
+            elsewhere,
             text: `${formatNumber(level)} ${unit}`,
             kind: "tick" as const,
             offset: { x: 0, y: 0 },

@@ -3,7 +3,7 @@ import type { Thing } from "../state/things";
 import type { Camera } from "./camera";
 import { destination, startDrag } from "./drag";
 import { add, type Vec3 } from "./geometry";
-import { heightHandle, inside, pick } from "./picking";
+import { heightHandle, inside, type Pickable, pickAll } from "./picking";
 import { View } from "./view";
 
 const viewport = { width: 800, height: 600 };
@@ -71,27 +71,43 @@ describe("picking", () => {
     [1, [-3, 2, 0]],
     ["start", [1, 1, 0]],
   ]);
-  const at = (thing: Thing) => view.project(things.get(thing)!);
+  const at = (thing: Thing, beside = 0) => {
+    const { x, y } = view.project(things.get(thing)!);
+    return { x: x + beside, y, touch: false };
+  };
+  const among = (points: Pickable["points"], last?: Thing): Pickable => ({
+    points,
+    last,
+    lifted: points.get(last ?? -1) ?? null,
+  });
+  const found = (pickable: Pickable, pointer: ReturnType<typeof at>) =>
+    pickAll(view, pickable, pointer).map(({ thing }) => thing);
 
-  test("finds the nearest thing within reach, and nothing beyond", () => {
-    const { x, y } = at(1);
-    const hit = { thing: 1, handle: false };
-    expect(pick(view, things, undefined, { x: x + 8, y, touch: false })).toEqual(hit);
-    expect(pick(view, things, undefined, { x: x + 20, y, touch: false })).toBeNull();
-    expect(pick(view, things, undefined, { x: x + 20, y, touch: true })).toEqual(hit);
-    expect(pick(view, things, undefined, { ...at("start"), touch: false })?.thing).toBe("start");
+  test("finds what is within reach, and nothing beyond", () => {
+    expect(pickAll(view, among(things), at(1, 8))).toEqual([{ thing: 1, lifter: false }]);
+    expect(found(among(things), at(1, 20))).toEqual([]);
+    expect(found(among(things), { ...at(1, 20), touch: true })).toEqual([1]);
+    expect(found(among(things), at("start"))).toEqual(["start"]);
   });
 
-  test("offers the height handle of what was chosen last only", () => {
-    const { x, y } = view.project(heightHandle(view, anchor));
-    expect(pick(view, things, 0, { x, y, touch: false })).toEqual({ thing: 0, handle: true });
-    expect(pick(view, things, 1, { x, y, touch: false })).toBeNull();
+  test("the triangle lifts what was chosen last only", () => {
+    const pointer = { ...view.project(heightHandle(view, anchor)), touch: false };
+    expect(pickAll(view, among(things, 0), pointer)).toEqual([{ thing: 0, lifter: true }]);
+    expect(pickAll(view, among(things, 1), pointer)).toEqual([]);
+    expect(pickAll(view, { ...among(things, 0), lifted: null }, pointer)).toEqual([]);
   });
 
-  test("does not find what is behind the viewer", () => {
+  test("a handle yields to an anchor at its place, but not once it is chosen", () => {
+    const corner = new Map<Thing, Vec3>([["box low corner", anchor], ...things]);
+    expect(found(among(corner), at(0, 3))).toEqual([0, "box low corner"]);
+    expect(found(among(corner, "box low corner"), at(0, 3))).toEqual(["box low corner", 0]);
+    expect(found(among(corner, 0), at(0, 3))).toEqual([0, "box low corner"]);
+  });
+
+  test("what is behind the viewer is not found", () => {
     const behind: Vec3 = [view.eye[0] * 2, view.eye[1] * 2, view.eye[2] * 2];
-    const { x, y } = view.project(behind);
-    expect(pick(view, new Map([[0, behind]]), undefined, { x, y, touch: false })).toBeNull();
+    const pointer = { ...view.project(behind), touch: false };
+    expect(found(among(new Map([[0, behind]])), pointer)).toEqual([]);
   });
 
   test("a rectangle holds the things in it, whichever way it was drawn", () => {

@@ -3,7 +3,10 @@ import type { Vec3 } from "./geometry";
 /** Numbers of this size and larger mean that no bound exists there. */
 export const UNBOUNDED = 1e30;
 
-/** Computes a field's numbers on a graphics device, over the same rectangle; the same object asks for the same numbers. */
+/**
+ * Computes a field's numbers on a graphics device, over the same rectangle; the same object asks for the same numbers.
+ * What it holds may be worked out when it is read: only a renderer that can compute does.
+ */
 export interface FieldProgram {
   /** Programs of one key have one text. */
   readonly key: string;

@@ -1,6 +1,7 @@
 import type { Thing } from "../state/things";
 import { type Camera, orbit, pan, zoomTo } from "./camera";
 import type { Vec3 } from "./geometry";
+import type { Pickable } from "./picking";
 import type { Pixel, View } from "./view";
 
 /** What the pointer may look at and change. */
@@ -8,10 +9,12 @@ export interface SceneHands {
   view(): View;
   /** Seen from above only: a drag beside the things moves the scene instead of turning it. */
   planar(): boolean;
-  points(): ReadonlyMap<Thing, Vec3>;
+  pickable(): Pickable;
   selected(): readonly Thing[];
   /** Anchors that are drawn anew for every trial cannot be dragged. */
   movable(thing: Thing): boolean;
+  /** Whether it has a height that can be changed. */
+  lifts(thing: Thing): boolean;
   tool(): Tool;
   /** Farthest that a thing is dragged at once, and the spacing of the grid, in metres. */
   dragLimit(): number;
@@ -23,6 +26,9 @@ export interface SceneHands {
   toggle(thing: Thing): void;
   /** What is chosen is now this far from where the drag began. */
   move(shift: Vec3, event: PointerEvent): void;
+  /** Shows what is drawn from one place on the floor to another, with the grid's spacing or free. */
+  draw(from: Pixel, to: Pixel, snaps: boolean): void;
+  /** Takes what was dragged or drawn. */
   drop(): void;
   takeBack(): void;
   /** The rectangle that is being drawn around things. */
@@ -33,8 +39,8 @@ export interface SceneHands {
   doubleClick(pixel: Pixel, thing: Thing | null): void;
 }
 
-/** Turning and moving; choosing several; waiting for the place where the chosen ones shall go. */
-export type Tool = "move" | "several" | "destination";
+/** Turning and moving; choosing several; waiting for the place where the chosen ones shall go; drawing. */
+export type Tool = "move" | "several" | "destination" | "draw";
 
 /** What one pointer does from when it goes down to when it comes up. */
 export interface Gesture {
@@ -52,6 +58,15 @@ export function dragThings(hands: SceneHands, follow: (pixel: Pixel, snap: numbe
       const snap = event.ctrlKey || event.metaKey ? hands.gridSpacing() : null;
       hands.move(follow(now, snap), event);
     },
+    end: () => hands.drop(),
+    cancel: () => hands.takeBack(),
+  };
+}
+
+/** Draws a new thing over the floor; Ctrl snaps to the grid. */
+export function drawThing(hands: SceneHands, from: Pixel): Gesture {
+  return {
+    move: (_, now, event) => hands.draw(from, now, event.ctrlKey || event.metaKey),
     end: () => hands.drop(),
     cancel: () => hands.takeBack(),
   };

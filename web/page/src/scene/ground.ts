@@ -1,7 +1,7 @@
 import { formatNumber } from "../controls/format";
-import { thingPoints } from "./anchors";
 import type { Vec3 } from "./geometry";
 import { type Grid, gridOf } from "./grid";
+import { thingPoints } from "./handles";
 import type { Label, Layer, SceneInput } from "./input";
 import type { Pixel, View } from "./view";
 

@@ -1,15 +1,17 @@
 import * as actions from "../state/scene-actions";
-import { middleOf, movable, type Places, type Thing } from "../state/things";
+import type { Drawing } from "../state/handles";
+import { handlesOf, middleOf, movable, placeOf, type Places, type Thing } from "../state/things";
 import type { Workspace } from "../state/workspace.svelte";
-import { thingPoints } from "./anchors";
 import type { Camera } from "./camera";
 import { destination } from "./drag";
 import { bodyPosition } from "./frame";
 import { length, lift, sub, type Vec3 } from "./geometry";
 import type { SceneHands, Tool } from "./gestures";
 import { gridOf } from "./grid";
-import { inside } from "./picking";
+import { thingPoints } from "./handles";
+import { inside, lifterShows, type Pickable } from "./picking";
 import type { SceneView } from "./scene-view.svelte";
+import { Sketch } from "./sketch.svelte";
 import type { Pixel } from "./view";
 
 /** CSS pixels around the middle of the body that count as the body. */
@@ -26,6 +28,7 @@ export class Hands implements SceneHands {
   awaiting: PointerEvent | null = null;
   /** Where the pointer was last, so that a key can mean the place under it. */
   #pointer: Pixel | null = null;
+  readonly #sketch: Sketch;
   readonly #workspace: Workspace;
   readonly #look: SceneView;
   /** Where what is dragged was when the drag began. */
@@ -34,25 +37,63 @@ export class Hands implements SceneHands {
   constructor(workspace: Workspace, look: SceneView) {
     this.#workspace = workspace;
     this.#look = look;
+    this.#sketch = new Sketch(workspace.session);
   }
 
   get #session() {
     return this.#workspace.session;
   }
 
-  tool = (): Tool => (this.#tool === "destination" && this.selected().length === 0 ? "move" : this.#tool);
+  tool = (): Tool => {
+    if (this.drawing()) return "draw";
+    return this.#tool === "destination" && this.selected().length === 0 ? "move" : this.#tool;
+  };
 
   setTool(tool: Tool): void {
+    this.#sketch.stop();
     this.#tool = tool;
     if (tool === "destination")
       this.#session.announcement = "Press where it shall go; Escape keeps it where it is.";
   }
 
+  /** What is being drawn; nothing of another lab. */
+  drawing = (): Drawing | null => {
+    const { drawing } = this.#sketch;
+    return drawing && this.#workspace.lab.drawings?.includes(drawing) ? drawing : null;
+  };
+
+  startDrawing(drawing: Drawing): void {
+    this.setTool("move");
+    this.#workspace.hovered = null;
+    this.select([]);
+    this.#sketch.start(drawing);
+  }
+
+  outline = (): readonly Vec3[] => (this.drawing() ? this.#sketch.outline : []);
+
   view = () => this.#look.view;
   planar = () => this.#look.planar;
-  points = () => thingPoints(this.#session);
+  #points(): ReadonlyMap<Thing, Vec3> {
+    const { scenario, run } = this.#session;
+    return thingPoints({ scenario, run, handles: handlesOf(this.#session), frame: this.#look.frame });
+  }
+
+  pickable = (): Pickable => ({
+    points: this.#points(),
+    last: this.selected().at(-1),
+    lifted: this.lifted(),
+  });
   selected = () => this.#session.selected;
   movable = (thing: Thing) => movable(this.#session.scenario, thing);
+  lifts = (thing: Thing) => !this.planar() && placeOf(this.#session, thing).length === 3;
+
+  /** Where what was chosen last is, while the triangle that lifts it shows. */
+  lifted(): Vec3 | null {
+    const last = this.selected().at(-1);
+    if (last === undefined || !this.lifts(last) || !lifterShows(this.view())) return null;
+    return this.#points().get(last) ?? null;
+  }
+
   dragLimit = () => 20 * this.#look.frame.radius;
   gridSpacing = () => gridOf(this.view(), this.#look.frame, []).spacing;
   setCamera(camera: Camera): void {
@@ -64,12 +105,13 @@ export class Hands implements SceneHands {
   toggle = (thing: Thing) => actions.toggle(this.#session, thing);
   frameThings = (corners: readonly [Pixel, Pixel] | null) => (this.rectangle = corners);
   selectInside = ([from, to]: readonly [Pixel, Pixel]) =>
-    this.select(inside(this.view(), this.points(), from, to));
+    this.select(inside(this.view(), this.pickable().points, from, to));
 
   hover(thing: Thing | null, pixel: Pixel): void {
     this.#workspace.hovered = thing;
     this.#workspace.ray = this.#workspace.lab.field ? this.view().ray(pixel) : null;
     this.#pointer = pixel;
+    this.#sketch.aim(this.#floorUnder(pixel, false));
   }
 
   leave(): void {
@@ -85,23 +127,38 @@ export class Hands implements SceneHands {
     actions.shiftBy(this.#session, this.#from, shift);
   }
 
+  draw(from: Pixel, to: Pixel, snaps: boolean): void {
+    this.#workspace.ray = null;
+    const [begin, end] = [this.#floorUnder(from, snaps), this.#floorUnder(to, snaps)];
+    if (begin && end) this.#sketch.show(begin, end, this.#top());
+  }
+
   drop(): void {
     this.#from = null;
-    this.#session.commit();
+    if (this.drawing()) this.#sketch.finish();
+    else this.#session.commit();
   }
 
   takeBack(): void {
     this.#from = null;
     this.#session.cancel();
+    this.#sketch.takeBack();
   }
 
   clickBeside(pixel: Pixel): void {
-    if (this.tool() === "destination") this.sendTo(pixel);
+    if (this.drawing()) this.#pressFloor(pixel);
+    else if (this.tool() === "destination") this.sendTo(pixel);
     else if (this.tool() === "move") this.select([]);
   }
 
+  #pressFloor(pixel: Pixel): void {
+    const floor = this.#floorUnder(pixel, false);
+    if (floor) this.#sketch.press(floor, this.#top());
+    else this.#sketch.miss();
+  }
+
   doubleClick(pixel: Pixel, thing: Thing | null): void {
-    const point = thing === null ? this.#bodyUnder(pixel) : this.points().get(thing);
+    const point = thing === null ? this.#bodyUnder(pixel) : this.pickable().points.get(thing);
     if (point) this.#look.centre(point);
     else this.addAt(pixel);
   }
@@ -117,15 +174,30 @@ export class Hands implements SceneHands {
   addAt(pixel: Pixel | null = this.#pointer): void {
     const { scenario } = this.#session;
     if (!movable(scenario, 0)) return;
-    const ground = pixel && this.view().onLevel(pixel, this.#look.frame.ground);
-    actions.add(this.#session, ground && this.#near(ground) ? ground : undefined);
+    actions.add(this.#session, (pixel && this.#floorUnder(pixel, false)) ?? undefined);
   }
 
   /** The middle of what is chosen, or of the body where nothing is. */
   middle(): Vec3 {
-    const points = this.points();
+    const { points } = this.pickable();
     const chosen = this.selected().map((thing) => points.get(thing) ?? [0, 0, 0]);
     return chosen.length === 0 ? this.#body() : lift(middleOf(chosen));
+  }
+
+  /** The place on the floor under a pixel; null where it would be far outside of the scene. */
+  #floorUnder(pixel: Pixel, snaps: boolean): Vec3 | null {
+    const point = this.view().onLevel(pixel, this.#look.frame.ground);
+    if (!point || !this.#near(point)) return null;
+    const spacing = this.gridSpacing();
+    const snapped = (value: number) => (snaps ? Math.round(value / spacing) * spacing : value);
+    return [snapped(point[0]), snapped(point[1]), point[2]];
+  }
+
+  /** The top of the room: as high as the highest anchor, where that is above the floor. */
+  #top(): number {
+    const { ground, whole } = this.#look.frame;
+    const highest = Math.max(...this.#session.scenario.anchors.map((anchor) => lift(anchor)[2]));
+    return highest > ground ? highest : whole[1][2];
   }
 
   #near(point: Vec3): boolean {

@@ -1,5 +1,6 @@
 import type { LabRun } from "../lab";
 import type { Scenario } from "../scenario";
+import type { Handle } from "../state/handles";
 import type { Thing } from "../state/things";
 import type { Palette } from "../theme/palette";
 import type { DrawList } from "./draw-list";
@@ -23,7 +24,11 @@ export interface SceneInput<R extends LabRun = LabRun> {
   readonly frame: Frame;
   readonly view: View;
   readonly palette: Palette;
+  /** What can be moved beside the anchors. */
+  readonly handles: readonly Handle[];
   readonly selected: readonly Thing[];
+  /** Where what was chosen last is, while the triangle that lifts it shows. */
+  readonly lifted: Vec3 | null;
   readonly hovered: Thing | null;
   readonly uncertainty: UncertaintyShown;
   /** The line of sight through the pointer, followed where the lab has a field to read; else null. */
@@ -39,8 +44,10 @@ export interface Label {
   readonly id: string;
   readonly at: Vec3;
   readonly text: string;
-  readonly kind: "anchor" | "start" | "axis" | "tick";
+  readonly kind: "anchor" | "handle" | "axis" | "name" | "tick";
   readonly strong?: boolean;
   /** CSS pixels from the point to the middle of the text, where one place is better than the others. */
   readonly offset?: Pixel;
+  /** Other points that the text may stand at where there is no place at the first. */
+  readonly elsewhere?: readonly Vec3[];
 }

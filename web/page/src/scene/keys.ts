@@ -49,7 +49,7 @@ export class KeyControl {
     const plain: Partial<Record<SceneAction["kind"], () => void>> = {
       all: () => actions.selectAll(session),
       add: () => hands.addAt(),
-      remove: () => actions.remove(session, actions.anchorsOf(session)),
+      remove: () => actions.removeChosen(session),
       duplicate: () => actions.duplicate(session),
       destination: () => hands.setTool(session.selected.length > 0 ? "destination" : "move"),
       several: () => hands.setTool(hands.tool() === "several" ? "move" : "several"),

@@ -16,12 +16,14 @@ export interface Box extends Pixel {
 }
 
 /** Numbers of anchors come first, then the other names, and the scale takes what is left. */
-const RANK = { anchor: 0, start: 1, axis: 2, tick: 3 } as const;
+const RANK = { anchor: 0, handle: 1, axis: 2, name: 3, tick: 4 } as const;
 /** Sizes of the kinds in Scene's style, as shares of the page's. */
-const SIZE = { anchor: 1.05, start: 0.85, axis: 0.95, tick: 0.8 } as const;
+const SIZE = { anchor: 1.05, handle: 0.85, axis: 0.95, name: 0.8, tick: 0.8 } as const;
 const CHARACTER_WIDTH = 0.58;
 /** CSS pixels from a point to the nearest edge of its text, and what no text may cover around a point. */
 const GAP = 7;
+/** The same where there is no place so near. */
+const FARTHER = 22;
 /** Directions from the point to the middle of the text, best first. */
 const SIDES: readonly (readonly [number, number])[] = [
   [1, -1],
@@ -37,7 +39,7 @@ const SIDES: readonly (readonly [number, number])[] = [
 /**
  * Finds a place for each label beside its point where it lies on no other label and on no named point. One that has
  * a place keeps it from picture to picture as long as it is free; one without a free place is left out, but anchors
- * always have their number.
+ * always have their number, and what is chosen its name.
  */
 export class LabelPlacer {
   #sides = new Map<string, number>();
@@ -49,7 +51,7 @@ export class LabelPlacer {
       .map((label) => ({ label, point: view.project(label.at) }))
       .filter(({ point: { x, y, depth } }) => depth > 0 && x >= 0 && y >= 0 && x <= width && y <= height)
       .sort((a, b) => RANK[a.label.kind] - RANK[b.label.kind]);
-    const named = visible.filter(({ label }) => label.kind === "anchor" || label.kind === "start");
+    const named = visible.filter(({ label }) => label.kind === "anchor" || label.kind === "handle");
     const taken = [
       ...covered,
       ...named.map(({ point }) => ({ x: point.x, y: point.y, halfWidth: GAP, halfHeight: GAP })),
@@ -57,12 +59,13 @@ export class LabelPlacer {
     const sides = new Map<string, number>();
     const placed: PlacedLabel[] = [];
     for (const { label, point } of visible) {
-      const boxes = candidates(label, point, fontSize);
+      const others = (label.elsewhere ?? []).map((at) => view.project(at));
+      const boxes = [point, ...others].flatMap((at) => candidates(label, at, fontSize));
       const order = [this.#sides.get(label.id) ?? 0, ...boxes.keys()];
       const free = order.find(
         (side) => inside(boxes[side], view) && !taken.some((box) => overlap(box, boxes[side])),
       );
-      const side = free ?? (label.kind === "anchor" ? 0 : undefined);
+      const side = free ?? (label.kind === "anchor" || label.strong ? 0 : undefined);
       if (side === undefined) continue;
       const { x, y } = boxes[side];
       sides.set(label.id, side);
@@ -81,7 +84,8 @@ function candidates(label: Label, point: Pixel, fontSize: number): Box[] {
   const box = (dx: number, dy: number) => ({ x: point.x + dx, y: point.y + dy, halfWidth, halfHeight });
   const own = label.offset ? [box(label.offset.x, label.offset.y)] : [];
   if (label.kind === "tick") return own;
-  return [...own, ...SIDES.map(([x, y]) => box(x * (halfWidth + GAP), y * (halfHeight + GAP)))];
+  const ring = (gap: number) => SIDES.map(([x, y]) => box(x * (halfWidth + gap), y * (halfHeight + gap)));
+  return [...own, ...ring(GAP), ...(label.kind === "axis" ? [] : ring(FARTHER))];
 }
 
 function inside({ x, y, halfWidth, halfHeight }: Box, { viewport }: View): boolean {

@@ -1,7 +1,16 @@
 import { zoomTo } from "./camera";
 import { startDrag } from "./drag";
-import { dragThings, frameThings, type Gesture, moveCamera, pinched, type SceneHands } from "./gestures";
-import { type Hit, pick } from "./picking";
+import {
+  dragThings,
+  drawThing,
+  frameThings,
+  type Gesture,
+  moveCamera,
+  pinched,
+  type SceneHands,
+} from "./gestures";
+import type { Thing } from "../state/things";
+import { type Hit, pickAll } from "./picking";
 import type { Pixel } from "./view";
 
 /** CSS pixels a pointer may tremble and still be a click. */
@@ -9,11 +18,16 @@ const CLICK_SLACK = { mouse: 4, touch: 10 };
 /** Two clicks are one double click within this time and distance. */
 const DOUBLE = { milliseconds: 400, pixels: 24 };
 
+/** CSS pixels between things of which one lies on the other. */
+const COVERED = 6;
+
 interface Press {
   readonly at: Pixel;
   readonly hit: Hit | null;
   readonly gesture: Gesture;
   readonly touch: boolean;
+  /** What was chosen before it. */
+  readonly was: readonly Thing[];
   /** Ctrl or the tool: a click takes a thing out of what is chosen if it was there before. */
   readonly takesOut: boolean;
   /** A button that never clicks, as the right one. */
@@ -60,10 +74,12 @@ export class PointerControl {
     return { x: event.clientX - box.left, y: event.clientY - box.top };
   }
 
-  #hit(event: PointerEvent): Hit | null {
+  /** Things under the pointer, unless the tool asks for places. */
+  #hits(event: PointerEvent): Hit[] {
     const touch = event.pointerType === "touch";
     const hands = this.#hands;
-    return pick(hands.view(), hands.points(), hands.selected().at(-1), { ...this.#pixel(event), touch });
+    if (hands.tool() === "destination" || hands.tool() === "draw") return [];
+    return pickAll(hands.view(), hands.pickable(), { ...this.#pixel(event), touch });
   }
 
   #down = (event: PointerEvent): void => {
@@ -71,15 +87,17 @@ export class PointerControl {
     this.#element.setPointerCapture(event.pointerId);
     if (this.#places.size > 1) return this.#release();
     const several = event.ctrlKey || event.metaKey || this.#hands.tool() === "several";
-    const hit = event.button === 0 && this.#hands.tool() !== "destination" ? this.#hit(event) : null;
-    const was = hit !== null && this.#hands.selected().includes(hit.thing);
-    if (hit && !was) this.#hands.select(several ? [...this.#hands.selected(), hit.thing] : [hit.thing]);
+    const hit = (event.button === 0 ? this.#hits(event)[0] : undefined) ?? null;
+    const was = this.#hands.selected();
+    const chosen = hit !== null && was.includes(hit.thing);
+    if (hit && !chosen) this.#hands.select(several ? [...was, hit.thing] : [hit.thing]);
     this.#press = {
       at: this.#pixel(event),
       hit,
       gesture: this.#gesture(event, hit, several),
       touch: event.pointerType === "touch",
-      takesOut: several && was,
+      was,
+      takesOut: several && chosen,
       silent: event.button !== 0,
       moved: false,
     };
@@ -87,20 +105,21 @@ export class PointerControl {
 
   #gesture(event: PointerEvent, hit: Hit | null, several: boolean): Gesture {
     const hands = this.#hands;
+    if (hands.tool() === "draw" && event.button === 0) return drawThing(hands, this.#pixel(event));
     if (hit === null || !hands.movable(hit.thing)) {
       if (event.button === 0 && several) return frameThings(hands, this.#pixel(event));
       const pans = hands.planar() || event.button !== 0 || event.shiftKey;
       return moveCamera(hands, pans ? "pan" : "turn");
     }
-    const mode = hit.handle || (event.shiftKey && !hands.planar()) ? "height" : "plane";
-    const start = hands.points().get(hit.thing) ?? [0, 0, 0];
+    const mode = hit.lifter || (event.shiftKey && hands.lifts(hit.thing)) ? "height" : "plane";
+    const start = hands.pickable().points.get(hit.thing) ?? [0, 0, 0];
     return dragThings(hands, startDrag(hands.view(), start, this.#pixel(event), mode, hands.dragLimit()));
   }
 
   #move = (event: PointerEvent): void => {
     const now = this.#pixel(event);
     const before = this.#places.get(event.pointerId);
-    if (!before) return this.#hands.hover(this.#hit(event)?.thing ?? null, now);
+    if (!before) return this.#hands.hover(this.#hits(event)[0]?.thing ?? null, now);
     const other = [...this.#places].find(([id]) => id !== event.pointerId)?.[1];
     this.#places.set(event.pointerId, now);
     if (other) {
@@ -127,7 +146,7 @@ export class PointerControl {
     this.#press = null;
   }
 
-  #click({ at, hit, takesOut }: Press, event: PointerEvent): void {
+  #click({ at, hit, was, takesOut }: Press, event: PointerEvent): void {
     const hands = this.#hands;
     const last = this.#lastClick;
     const near = Math.hypot(at.x - last.at.x, at.y - last.at.y) < DOUBLE.pixels;
@@ -136,7 +155,19 @@ export class PointerControl {
     if (double) hands.doubleClick(at, hit?.thing ?? null);
     else if (takesOut && hit) hands.toggle(hit.thing);
     else if (!hit) hands.clickBeside(at);
-    else if (hands.tool() === "move" && !event.ctrlKey && !event.metaKey) hands.select([hit.thing]);
+    else if (hands.tool() === "move" && !event.ctrlKey && !event.metaKey)
+      hands.select([was.length === 1 && was[0] === hit.thing ? this.#beneath(hit, event) : hit.thing]);
+  }
+
+  /** A press on what is chosen alone goes on to what else lies there. */
+  #beneath({ thing }: Hit, event: PointerEvent): Thing {
+    const hands = this.#hands;
+    const { points } = hands.pickable();
+    const pixel = (one: Thing) => hands.view().project(points.get(one) ?? [0, 0, 0]);
+    const at = pixel(thing);
+    const covers = (other: Thing) => Math.hypot(pixel(other).x - at.x, pixel(other).y - at.y) < COVERED;
+    const others = this.#hits(event).map((hit) => hit.thing);
+    return others.find((other) => other !== thing && covers(other)) ?? thing;
   }
 
   #wheel = (event: WheelEvent): void => {

@@ -1,9 +1,12 @@
 import { formatNumber, formatPoint } from "../controls/format";
 import type { Scenario } from "../scenario";
+import { lowerFirst } from "../words";
 import { addAnchors, coordinateStep, newAnchorPosition, removeAnchors, roundTo } from "./edit";
 import type { Session } from "./session.svelte";
+import type { Handle } from "./handles";
 import {
   centroid,
+  handlesOf,
   movable,
   moveSentence,
   nameOf,
@@ -30,19 +33,18 @@ export function coarseStep(scenario: Scenario): number {
 }
 
 /** The chosen things that may be moved, and where they are. */
-export function movablePlaces({ scenario, selected }: Session): Places {
+export function movablePlaces(session: Session): Places {
   return placesOf(
-    scenario,
-    selected.filter((thing) => movable(scenario, thing)),
+    session,
+    session.selected.filter((thing) => movable(session.scenario, thing)),
   );
 }
 
 export function select(session: Session, things: readonly Thing[]): void {
   session.selected = things;
-  const { scenario } = session;
   if (things.length === 0) return;
-  const where = things.length === 1 ? `, at ${formatPoint(placeOf(scenario, things[0]))}` : "";
-  session.announcement = `${nameOf(things)} selected${where}.`;
+  const where = things.length === 1 ? `, at ${formatPoint(placeOf(session, things[0]))}` : "";
+  session.announcement = `${nameOf(session, things)} selected${where}.`;
 }
 
 /** Adds to what is chosen, or takes out of it. */
@@ -52,9 +54,10 @@ export function toggle(session: Session, thing: Thing): void {
   select(session, without.length < selected.length ? without : [...selected, thing]);
 }
 
-/** Through the anchors and the start of the body, and round again. */
+/** Through the anchors and the handles, and round again. */
 export function selectNext(session: Session, by: 1 | -1): void {
-  const all: Thing[] = [...session.scenario.anchors.keys(), "start"];
+  const handles = handlesOf(session).map(({ id }) => id);
+  const all: Thing[] = [...session.scenario.anchors.keys(), ...handles];
   const last = session.selected.at(-1);
   const from = last === undefined ? (by > 0 ? -1 : all.length) : all.indexOf(last);
   select(session, [all[(from + by + all.length) % all.length]]);
@@ -67,14 +70,15 @@ export function selectAll(session: Session): void {
 /** Part of a drag or of a held key: everything moves by `shift` from where it was; `session.commit` ends it. */
 export function shiftBy(session: Session, places: Places, shift: readonly number[]): void {
   if (places.size === 0) return;
-  const moved = shifted(places, shift, coordinateStep(session.scenario));
-  session.preview(moveSentence(session.scenario, moved), putAt(session.scenario, moved));
+  const scenario = putAt(session, shifted(places, shift, coordinateStep(session.scenario)));
+  session.preview(moveSentence({ scenario, lab: session.lab }, [...places.keys()]), scenario);
 }
 
 export function nudge(session: Session, direction: readonly number[], fine: boolean): boolean {
   const places = movablePlaces(session);
-  const along = direction.slice(0, session.scenario.dimension);
-  if (places.size === 0 || along.every((value) => value === 0)) return false;
+  if (places.size === 0) return false;
+  const along = direction.slice(0, centroid(places).length);
+  if (along.every((value) => value === 0)) return false;
   const step = fine ? coordinateStep(session.scenario) : coarseStep(session.scenario);
   shiftBy(
     session,
@@ -86,16 +90,18 @@ export function nudge(session: Session, direction: readonly number[], fine: bool
 
 /** Moves things so that their middle has the given coordinate. One alone gets exactly what was typed. */
 export function place(session: Session, things: readonly Thing[], axis: number, value: number): boolean {
-  const places = placesOf(session.scenario, things);
+  const places = placesOf(session, things);
   const change = value - centroid(places)[axis];
   const moved = new Map(
     [...places].map(([thing, at]) => {
-      const coordinate = places.size === 1 ? value : at[axis] + change;
-      return [thing, at.with(axis, coordinate)];
+      if (axis >= at.length) return [thing, at];
+      return [thing, at.with(axis, places.size === 1 ? value : at[axis] + change)];
     }),
   );
-  const what = `${nameOf(things)}: ${AXES[axis]} set to ${formatNumber(value)} m${onto(session.scenario, moved)}`;
-  return session.edit(what, putAt(session.scenario, moved));
+  const scenario = putAt(session, moved);
+  const now = centroid(placesOf({ scenario, lab: session.lab }, things))[axis];
+  const what = `${nameOf(session, things)}: ${AXES[axis]} set to ${formatNumber(now)} m${onto(session.scenario, moved)}`;
+  return session.edit(what, scenario);
 }
 
 /** Moves what is chosen so that its middle lies at a point, or level with its height where the point has none. */
@@ -129,8 +135,8 @@ export function duplicate(session: Session): void {
   const chosen = anchorsOf(session);
   if (chosen.length === 0 || !movable(scenario, chosen[0])) return;
   const beside = axesOf(scenario).map((_, axis) => (axis === 0 ? 5 * coarseStep(scenario) : 0));
-  const copies = [...shifted(placesOf(scenario, chosen), beside, coordinateStep(scenario)).values()];
-  const what = `${nameOf(chosen)} duplicated`;
+  const copies = [...shifted(placesOf(session, chosen), beside, coordinateStep(scenario)).values()];
+  const what = `${nameOf(session, chosen)} duplicated`;
   if (session.edit(what, addAnchors(scenario, copies)))
     session.selected = copies.map((_, i) => scenario.anchors.length + i);
 }
@@ -138,12 +144,38 @@ export function duplicate(session: Session): void {
 export function remove(session: Session, indices: readonly number[]): void {
   const { scenario } = session;
   if (indices.length === 0 || !movable(scenario, indices[0])) return;
-  if (session.edit(`${nameOf(indices)} removed`, removeAnchors(scenario, indices))) session.selected = [];
+  if (session.edit(`${nameOf(session, indices)} removed`, removeAnchors(scenario, indices)))
+    session.selected = [];
+}
+
+/** Removes the anchors among what is chosen, and the boxes and walls that have a handle there. */
+export function removeChosen(session: Session): void {
+  const { scenario } = session;
+  const anchors = movable(scenario, 0) ? anchorsOf(session) : [];
+  const wholes = wholesOf(session);
+  if (anchors.length + wholes.length === 0) return;
+  const names = [
+    ...(anchors.length > 0 ? [nameOf(session, anchors)] : []),
+    ...wholes.map(({ name }) => name),
+  ];
+  const what = new Intl.ListFormat("en-GB").format(
+    names.map((name, i) => (i === 0 ? name : lowerFirst(name))),
+  );
+  // From the last: those before it keep their numbers.
+  const without = wholes.reduceRight((next, whole) => whole.without(next), removeAnchors(scenario, anchors));
+  if (session.edit(`${what} removed`, without)) session.selected = [];
 }
 
 /** The anchors among what is chosen. */
 export function anchorsOf({ selected }: Session): number[] {
-  return selected.filter((thing) => thing !== "start");
+  return selected.filter((thing) => typeof thing === "number");
+}
+
+/** The boxes and walls that have a handle among what is chosen, each once. */
+export function wholesOf(session: Session): NonNullable<Handle["whole"]>[] {
+  const chosen = handlesOf(session).filter(({ id }) => session.selected.includes(id));
+  const wholes = chosen.flatMap(({ whole }) => whole ?? []);
+  return wholes.filter(({ name }, index) => wholes.findIndex((other) => other.name === name) === index);
 }
 
 /** Makes the anchors that this trial drew the scenario's own. */

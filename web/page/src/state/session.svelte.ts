@@ -1,10 +1,12 @@
 import * as engine from "../engine";
 import { forLab, type Lab, labOf, type LabRun } from "../lab";
 import type { Scenario } from "../scenario";
+import { lowerFirst } from "../words";
 import { readLink, readText, sentenceOf, textOf } from "./document";
 import { scheduleCompute } from "./frames";
 import { History } from "./history";
 import { Keeper } from "./keeper";
+import { LabLoader } from "./lab-loader.svelte";
 import { existing, type Thing } from "./things";
 
 interface Entry {
@@ -36,6 +38,9 @@ export class Session<R extends LabRun = LabRun> {
   /** What undo would take back and redo do again, as the start of a sentence; null where there is nothing. */
   undoes: string | null = $state(null);
   redoes: string | null = $state(null);
+  /** Whether the lab can compute: not yet where the page opens in a lab that needs more than the page itself. */
+  ready = $state(true);
+  readonly loader = new LabLoader();
   /** Counts runs of scenarios that replaced the whole scene (preset, link): the camera then fits again. */
   opened = $state(0);
   readonly #keeper = new Keeper();
@@ -56,7 +61,9 @@ export class Session<R extends LabRun = LabRun> {
     this.#history = new History({ scenario, what: "Opened" });
     this.scenario = scenario;
     this.lab = labOf(scenario, labs) ?? labs[0];
-    this.#compute();
+    this.ready = this.loader.has(this.lab);
+    if (this.ready) this.#compute();
+    else this.#loadShown();
   }
 
   /** Whether an edit is in progress. */
@@ -107,11 +114,15 @@ export class Session<R extends LabRun = LabRun> {
   }
 
   /** Goes to another lab: with the scene, where it can show that; else to the one left there or its first preset. */
-  openLab(lab: Lab): boolean {
+  openLab(lab: Lab): void {
+    this.#withLab(lab, () => this.#openLab(lab));
+  }
+
+  #openLab(lab: Lab): void {
     this.#left[this.lab.name] = this.scenario;
     const kept = lab.family !== undefined && lab.family === this.lab.family;
     const scenario = kept ? this.scenario : (this.#left[lab.name] ?? lab.preset(lab.firstPreset));
-    return this.open(`Lab ${lab.title} opened`, forLab(scenario, lab, this.labs));
+    this.open(`Lab ${lab.title} opened`, forLab(scenario, lab, this.labs));
   }
 
   /** Opens the scenario of a link; a bad one is told in a sentence, leaves the address and changes nothing. */
@@ -144,17 +155,49 @@ export class Session<R extends LabRun = LabRun> {
   async #openFrom(source: string, read: () => Promise<Scenario>): Promise<void> {
     try {
       const scenario = await read();
-      this.#waiting = () => this.open(`Scenario opened from ${source}`, scenario);
+      const lab = labOf(scenario, this.labs) ?? this.lab;
+      this.#withLab(lab, () => this.open(`Scenario opened from ${source}`, scenario));
     } catch (error) {
-      this.#waiting = () => this.refuse(`${sentenceOf(error)} The scene stays as it was.`);
+      this.#afterGesture(() => this.refuse(`${sentenceOf(error)} The scene stays as it was.`));
     }
-    if (!this.#history.inGesture) this.#openWaiting();
+  }
+
+  /** Does something that the lab must be there for, after a drag that goes on; a lab that cannot be had is told. */
+  #withLab(lab: Lab, open: () => void): void {
+    this.loader.whenThere(
+      lab,
+      () => this.#afterGesture(open),
+      (error) =>
+        this.#afterGesture(() => this.refuse(`${notLoaded(lab, error)} The lab ${this.lab.title} stays.`)),
+    );
+  }
+
+  /** The lab of the scenario shown, where the page opens in it; if it cannot be had, the page opens as without a link. */
+  #loadShown(): void {
+    const { lab } = this;
+    const standIn = (error: unknown) => {
+      const [first] = this.labs;
+      this.#history = new History({ scenario: first.preset(first.firstPreset), what: "Opened" });
+      this.#show();
+      // The address stays: the page can be loaded anew from it.
+      this.refusal = `${notLoaded(lab, error)} The default scene is shown instead; reload the page to try again.`;
+    };
+    this.loader.whenThere(
+      lab,
+      () => this.#show(),
+      (error) => this.#afterGesture(() => standIn(error)),
+    );
   }
 
   /** Says why something from outside was not taken, and lets the address name the scene that is shown. */
   refuse(sentence: string): void {
     this.refusal = sentence;
     this.#keeper.shown(this.scenario);
+  }
+
+  #afterGesture(open: () => void): void {
+    this.#waiting = open;
+    if (!this.#history.inGesture) this.#openWaiting();
   }
 
   #openWaiting(): void {
@@ -189,7 +232,6 @@ export class Session<R extends LabRun = LabRun> {
   }
 
   #travel(what: string): void {
-    this.selected = existing(this.#history.present.scenario, this.selected);
     this.refusal = null;
     this.#show();
     this.#announce(what);
@@ -202,9 +244,12 @@ export class Session<R extends LabRun = LabRun> {
     // A run means nothing to another lab than its own.
     if (lab !== this.lab) this.run = null;
     this.lab = lab;
+    this.selected = existing(this, this.selected);
+    this.ready = this.loader.has(lab);
     this.undoes = this.#history.canUndo ? this.#history.present.what : null;
     this.redoes = this.#history.next?.what ?? null;
-    scheduleCompute(this.#compute);
+    if (this.ready) scheduleCompute(this.#compute);
+    else this.#loadShown();
   }
 
   #announce(what: string): void {
@@ -214,6 +259,7 @@ export class Session<R extends LabRun = LabRun> {
   }
 
   #compute = (): void => {
+    if (!this.ready) return;
     try {
       this.run = this.lab.compute(this.scenario) as R;
       this.failure = null;
@@ -234,7 +280,9 @@ export class Session<R extends LabRun = LabRun> {
       this.failure = "The engine stops at every scene. Reload the page; the scene is kept.";
       return;
     }
-    await engine.restartEngine();
+    // At once: the page may ask it before the next frame. What follows waits for the task that broke to end.
+    engine.restartEngine();
+    await Promise.resolve();
     if (this.#traps > 1) this.#retreat();
     scheduleCompute(this.#compute);
   }
@@ -259,6 +307,6 @@ export class Session<R extends LabRun = LabRun> {
   }
 }
 
-function lowerFirst(text: string): string {
-  return text.charAt(0).toLowerCase() + text.slice(1);
+function notLoaded(lab: Lab, error: unknown): string {
+  return `The lab ${lab.title} could not be loaded (${sentenceOf(error).replace(/\.$/, "")}).`;
 }

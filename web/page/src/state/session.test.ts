@@ -153,3 +153,55 @@ test("a lab of the same family takes the scene along, another one opens a scene 
   expect([session.lab.name, session.scenario.seed]).toEqual(["cousin", 8]);
   await settle();
 });
+
+/** A cousin of the first lab whose part of the engine comes, or not, when it is told to. */
+async function withLateLab() {
+  const [one] = await labs();
+  let come!: () => void;
+  let fail!: (error: Error) => void;
+  const load = () => new Promise<void>((resolve, reject) => ([come, fail] = [resolve, reject]));
+  const first = { ...one, family: "body" } as Lab;
+  const late = { ...one, name: "late", title: "Late", family: "body", load } as Lab;
+  return { all: [first, late], late, come: () => come(), fail: () => fail(new Error("No network.")) };
+}
+
+test("a lab that has to be loaded opens with the scene as it is then", async () => {
+  const { all, late, come } = await withLateLab();
+  const session = new Session(scenario(1), all);
+  session.openLab(late);
+  expect([session.lab.name, session.loader.loading]).toEqual(["one", late]);
+  session.preview("Dragged", scenario(2));
+  come();
+  await settle();
+  expect(session.lab.name).toBe("one");
+  session.commit();
+  expect([session.lab.name, session.scenario.seed]).toEqual(["late", 2]);
+  await settle();
+  expect(seedOf(session)).toBe(2);
+});
+
+test("a lab that cannot be loaded is told; the last one stays", async () => {
+  const { all, late, fail } = await withLateLab();
+  const session = new Session(scenario(1), all);
+  session.openLab(late);
+  fail();
+  await settle();
+  expect([session.lab.name, session.undoes, seedOf(session)]).toEqual(["one", null, 1]);
+  expect(session.refusal).toBe("The lab Late could not be loaded (No network). The lab One stays.");
+});
+
+test("a page that opens in a lab waits for it, and opens as without a link where it does not come", async () => {
+  const { all, late, come, fail } = await withLateLab();
+  const linked = { ...scenario(3), view: { lab: "late" } };
+  const session = new Session(linked, all);
+  expect([session.lab, session.ready, seedOf(session)]).toEqual([late, false, undefined]);
+  come();
+  await settle();
+  expect([session.lab, session.ready, seedOf(session)]).toEqual([late, true, 3]);
+
+  const stranded = new Session(linked, all);
+  fail();
+  await settle();
+  expect([stranded.lab.name, stranded.ready, seedOf(stranded)]).toEqual(["one", true, 0]);
+  expect(stranded.refusal).toContain("The default scene is shown instead");
+});

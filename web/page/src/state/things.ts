@@ -1,38 +1,61 @@
 import { formatPoint } from "../controls/format";
 import type { Scenario } from "../scenario";
+import { lowerFirst } from "../words";
 import { roundTo } from "./edit";
+import { type Handle, startHandle } from "./handles";
 
-/** What one can choose and move in the scene: an anchor, by its index, or where the body starts. */
-export type Thing = number | "start";
+/** What one can choose and move in the scene: an anchor by its index, or a handle by its id. */
+export type Thing = number | string;
 
 /** Where things are, in metres; a scenario moves several at once. */
 export type Places = ReadonlyMap<Thing, readonly number[]>;
 
-export function placeOf(scenario: Scenario, thing: Thing): readonly number[] {
-  return thing === "start" ? scenario.start.position : scenario.anchors[thing];
+/** The scenario whose things they are, and the lab that knows its handles. */
+export interface Things {
+  readonly scenario: Scenario;
+  readonly lab: { handles?(scenario: Scenario): readonly Handle[] };
 }
 
-export function placesOf(scenario: Scenario, things: readonly Thing[]): Places {
-  return new Map(things.map((thing) => [thing, placeOf(scenario, thing)]));
+/** What can be moved beside the anchors: the start of the body first. */
+export function handlesOf({ scenario, lab }: Things): readonly Handle[] {
+  return [startHandle(scenario), ...(lab.handles?.(scenario) ?? [])];
 }
 
-/** The things that the scenario has. */
-export function existing(scenario: Scenario, things: readonly Thing[]): readonly Thing[] {
-  return things.filter((thing) => thing === "start" || thing < scenario.anchors.length);
+export function placeOf(things: Things, thing: Thing): readonly number[] {
+  if (typeof thing === "number") return things.scenario.anchors[thing];
+  return handlesOf(things).find(({ id }) => id === thing)?.place ?? [];
+}
+
+export function placesOf(things: Things, chosen: Iterable<Thing>): Places {
+  return new Map([...chosen].map((thing) => [thing, placeOf(things, thing)]));
+}
+
+/** The things that the scenario has; the same list where it has all of them. */
+export function existing(things: Things, chosen: readonly Thing[]): readonly Thing[] {
+  if (chosen.length === 0) return chosen;
+  const handles = handlesOf(things);
+  const there = chosen.filter((thing) =>
+    typeof thing === "number"
+      ? thing < things.scenario.anchors.length
+      : handles.some(({ id }) => id === thing),
+  );
+  return there.length === chosen.length ? chosen : there;
 }
 
 /** Anchors that are drawn anew for every trial cannot be moved. */
 export function movable(scenario: Scenario, thing: Thing): boolean {
-  return thing === "start" || scenario.redraw_anchors === null;
+  return typeof thing === "string" || scenario.redraw_anchors === null;
 }
 
-export function putAt(scenario: Scenario, places: Places): Scenario {
-  const start = places.get("start");
-  return {
+/** Twice over the handles: a corner stops at the opposite one, which may have been about to go on. */
+export function putAt(things: Things, places: Places): Scenario {
+  const { scenario } = things;
+  const anchors = scenario.anchors.map((anchor, index) => [...(places.get(index) ?? anchor)]);
+  const moved = handlesOf(things).filter(({ id }) => places.has(id));
+  return [...moved, ...moved].reduce((next, handle) => handle.move(next, places.get(handle.id)!), {
     ...scenario,
-    anchors: scenario.anchors.map((anchor, index) => [...(places.get(index) ?? anchor)]),
-    start: start ? { ...scenario.start, position: [...start] } : scenario.start,
-  };
+    anchors,
+  });
 }
 
 /** All places moved the same way, rounded to `step`. */
@@ -46,28 +69,36 @@ export function centroid(places: Places): number[] {
   return middleOf([...places.values()]);
 }
 
+/** The height of the middle is that of those that have one. */
 export function middleOf(all: readonly (readonly number[])[]): number[] {
-  return all[0].map((_, axis) => all.reduce((sum, place) => sum + place[axis], 0) / all.length);
+  const axes = Math.max(...all.map((place) => place.length));
+  return Array.from({ length: axes }, (_, axis) => {
+    const values = all.filter((place) => axis < place.length).map((place) => place[axis]);
+    return values.reduce((sum, value) => sum + value, 0) / values.length;
+  });
 }
 
-export function nameOf(things: readonly Thing[]): string {
-  const anchors = things.filter((thing) => thing !== "start");
-  if (anchors.length === 0) return "Start of the body";
+export function nameOf(things: Things, chosen: readonly Thing[]): string {
+  const anchors = chosen.filter((thing) => typeof thing === "number");
+  const handles = handlesOf(things).filter(({ id }) => chosen.includes(id));
+  const many = `${handles.length} handles`;
+  if (anchors.length === 0) return handles.length === 1 ? handles[0].name : many;
   const name = anchors.length === 1 ? `Anchor ${anchors[0] + 1}` : `${anchors.length} anchors`;
-  return anchors.length < things.length ? `${name} and the start of the body` : name;
+  if (handles.length === 0) return name;
+  return `${name} and ${handles.length === 1 ? lowerFirst(handles[0].name) : many}`;
 }
 
-/** "Anchor 2 moved to (1, 2, 0) m". */
-export function moveSentence(scenario: Scenario, places: Places): string {
-  const things = [...places.keys()];
-  if (things.length > 1) return `${nameOf(things)} moved, now around ${formatPoint(centroid(places))}`;
-  return `${nameOf(things)} moved to ${formatPoint(centroid(places))}${onto(scenario, places)}`;
+/** "Anchor 2 moved to (1, 2, 0) m", of things that are there now. */
+export function moveSentence(things: Things, moved: readonly Thing[]): string {
+  const places = placesOf(things, moved);
+  if (moved.length > 1) return `${nameOf(things, moved)} moved, now around ${formatPoint(centroid(places))}`;
+  return `${nameOf(things, moved)} moved to ${formatPoint(centroid(places))}${onto(things.scenario, places)}`;
 }
 
 /** What it means that an anchor now stands where there is one already; empty where there is none. */
 export function onto(scenario: Scenario, places: Places): string {
   for (const [thing, place] of places) {
-    if (thing === "start") continue;
+    if (typeof thing === "string") continue;
     const under = scenario.anchors.findIndex(
       (anchor, index) => !places.has(index) && anchor.every((value, axis) => value === place[axis]),
     );

@@ -16,6 +16,17 @@ export interface Search {
   readonly restart: number;
 }
 
+/** Some rows of the field of a scenario. */
+export interface FieldRows {
+  readonly scenario: Scenario;
+  readonly resolution: number;
+  readonly first: number;
+  readonly count: number;
+}
+
+/** The values of those rows. */
+export type RowValues = Float32Array<ArrayBuffer>;
+
 export type Request<Job> =
   | { readonly kind: "load"; readonly module: WebAssembly.Module }
   | { readonly kind: "job"; readonly job: Job };

@@ -1,15 +1,16 @@
-import { EngineTrap, loadEngine } from "../engine";
+import { type EngineModule, EngineTrap } from "../engine/module";
 import type { Answer, Request } from "./messages";
 
-/** Makes this thread a worker that does jobs: with an engine of its own, from the module that the page compiled. */
+/** Makes this thread a worker that does jobs: with an instance of its own of the module that the page compiled. */
 export function serve<Job, Result>(
+  engine: EngineModule,
   work: (job: Job) => Result,
   handedOver: (result: Result) => Transferable[] = () => [],
 ): void {
   let loaded: Promise<void> = Promise.reject(new Error("A job came before the engine."));
   loaded.catch(() => undefined);
   self.onmessage = ({ data }: MessageEvent<Request<Job>>) => {
-    if (data.kind === "load") loaded = loadEngine(data.module);
+    if (data.kind === "load") loaded = engine.load(data.module);
     else void loaded.then(() => answer(data.job)).catch(fail);
   };
 

@@ -1,6 +1,6 @@
-import { engineModule } from "../engine";
+import { type EngineModule, exploreModule, trackModule } from "../engine";
 import type { Improvement } from "../generated/Improvement";
-import type { Block, Search, Sums } from "./messages";
+import type { Block, FieldRows, RowValues, Search, Sums } from "./messages";
 import type { PoolWorker } from "./pool";
 
 /** The first picture has this many blocks: more workers would have nothing to do. */
@@ -12,14 +12,25 @@ export function workerCount(): number {
 }
 
 export function startStudyWorker(): PoolWorker<Block, Sums> {
-  return loaded(new Worker(new URL("./study-worker.ts", import.meta.url), { type: "module", name: "study" }));
+  return loaded(
+    new Worker(new URL("./study-worker.ts", import.meta.url), { type: "module", name: "study" }),
+    trackModule,
+  );
 }
 
 export function startPlaceWorker(): PoolWorker<Search, Improvement> {
-  return loaded(new Worker(new URL("./place-worker.ts", import.meta.url), { type: "module", name: "place" }));
+  return loaded(
+    new Worker(new URL("./place-worker.ts", import.meta.url), { type: "module", name: "place" }),
+    exploreModule,
+  );
 }
 
-function loaded(worker: Worker): Worker {
-  worker.postMessage({ kind: "load", module: engineModule() });
+export function startFieldWorker(): PoolWorker<FieldRows, RowValues> {
+  const worker = new Worker(new URL("./field-worker.ts", import.meta.url), { type: "module", name: "field" });
+  return loaded(worker, exploreModule);
+}
+
+function loaded(worker: Worker, engine: EngineModule): Worker {
+  worker.postMessage({ kind: "load", module: engine.compiled });
   return worker;
 }

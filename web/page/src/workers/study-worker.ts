@@ -1,9 +1,10 @@
 /** Runs blocks of trials. */
-import { studyBlock } from "../engine";
+import { studyBlock, trackModule } from "../engine/track";
 import type { Block, Sums } from "./messages";
 import { serve } from "./serve";
 
 serve<Block, Sums>(
+  trackModule,
   ({ scenario, firstTrial, trials }) => studyBlock(scenario, firstTrial, trials) as Sums,
   (sums) => [sums.buffer],
 );

@@ -1,6 +1,6 @@
 import { beforeAll, expect, test } from "vitest";
 import { explore, fieldLayout, fieldProbe, fieldRows, preset } from "../../engine";
-import { loadEngineForTests } from "../../engine.testing";
+import { loadEngineForTests } from "../../engine/testing";
 import { UNBOUNDED } from "../../scene/field";
 import type { Scenario } from "../../scenario";
 

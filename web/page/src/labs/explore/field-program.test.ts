@@ -1,6 +1,6 @@
 import { beforeAll, expect, test } from "vitest";
 import { fieldProgram, preset, presets } from "../../engine";
-import { loadEngineForTests } from "../../engine.testing";
+import { loadEngineForTests } from "../../engine/testing";
 import type { Scenario } from "../../scenario";
 import { programOf } from "./field-program";
 
@@ -14,6 +14,12 @@ test("a scenario has one program, 512 cells along its longer edge", () => {
   const moved = structuredClone(scenario);
   moved.anchors[0][0] += 0.5;
   expect(programOf(moved).parameters).not.toEqual(program.parameters);
+});
+
+test("nothing is worked out before it is read", () => {
+  const program = programOf({ ...preset("room"), anchors: [] });
+  expect(program.key).toContain("3");
+  expect(() => program.parameters).toThrow("anchors");
 });
 
 test("programs of one key have the text that the engine gives, whatever else differs", () => {

@@ -1,4 +1,5 @@
 import { fieldLayout, fieldParameters, fieldProgram } from "../../engine";
+import type { FieldLayout } from "../../generated/FieldLayout";
 import type { Scenario } from "../../scenario";
 import type { FieldProgram } from "../../scene/field";
 
@@ -12,20 +13,44 @@ const programs = new WeakMap<Scenario, FieldProgram>();
 export function programOf(scenario: Scenario): FieldProgram {
   const known = programs.get(scenario);
   if (known) return known;
-  const { width, height } = fieldLayout(scenario, CELLS);
-  const key = keyOf(scenario);
-  const made = { key, text: textOf(key, scenario), parameters: fieldParameters(scenario), width, height };
+  const made = new ScenarioProgram(scenario);
   programs.set(scenario, made);
   return made;
 }
 
-/** All that the text depends on. */
-function keyOf({ dimension, field }: Scenario): string {
-  return `${dimension} ${field.form} ${field.quantity}`;
-}
+/** Worked out when a renderer that can compute asks, so that a drag drawn by another one does not pay for it. */
+class ScenarioProgram implements FieldProgram {
+  #layout: FieldLayout | null = null;
+  #parameters: Float32Array | null = null;
 
-function textOf(key: string, scenario: Scenario): string {
-  const text = texts.get(key) ?? fieldProgram(scenario);
-  texts.set(key, text);
-  return text;
+  constructor(private readonly scenario: Scenario) {}
+
+  /** All that the text depends on. */
+  get key(): string {
+    const { dimension, field } = this.scenario;
+    return `${dimension} ${field.form} ${field.quantity}`;
+  }
+
+  get text(): string {
+    const { key } = this;
+    const text = texts.get(key) ?? fieldProgram(this.scenario);
+    texts.set(key, text);
+    return text;
+  }
+
+  get parameters(): Float32Array {
+    return (this.#parameters ??= fieldParameters(this.scenario));
+  }
+
+  get width(): number {
+    return this.#grid.width;
+  }
+
+  get height(): number {
+    return this.#grid.height;
+  }
+
+  get #grid(): FieldLayout {
+    return (this.#layout ??= fieldLayout(this.scenario, CELLS));
+  }
 }

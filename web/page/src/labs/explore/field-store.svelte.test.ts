@@ -1,6 +1,8 @@
 import { expect, test } from "vitest";
 import type { Scenario } from "../../scenario";
-import { FieldStore, type FieldSource, type Idle } from "./field-store.svelte";
+import type { FieldSource } from "./field-source";
+import { FieldStore } from "./field-store.svelte";
+import { type Idle, IdleRefiner } from "./idle-refiner";
 
 const scenario = (seed: number) => ({ seed }) as Scenario;
 
@@ -30,7 +32,7 @@ function setup(cost: number) {
     entry[1]();
     return true;
   };
-  return { store: new FieldStore(source, idle), turn, time: () => time };
+  return { store: new FieldStore(source, new IdleRefiner(source, idle), idle.now), turn, time: () => time };
 }
 
 test("a coarse field is there at once, finer ones come with every row in its place", () => {

@@ -1,16 +1,30 @@
 import { DEGREES_PER_RADIAN } from "../../controls/format";
 import { fieldLayout, fieldRows } from "../../engine";
 import type { Scenario } from "../../scenario";
-import { type FieldPicture, UNBOUNDED } from "../../scene/field";
-import { niceBelow } from "../../scene/geometry";
+import type { FieldPicture } from "../../scene/field";
 import type { SceneInput } from "../../scene/input";
+import { WorkerPool } from "../../workers/pool";
+import { startFieldWorker, workerCount } from "../../workers/start";
 import { programOf } from "./field-program";
-import { browserIdle, type Field, FieldStore } from "./field-store.svelte";
+import type { Field } from "./field-source";
+import { FieldStore } from "./field-store.svelte";
+import { browserIdle, IdleRefiner } from "./idle-refiner";
+import { inAngles } from "./next-anchor";
+import { PoolRefiner } from "./pool-refiner";
+import { type Ends, endsOf, scaleOf, SteadyScale } from "./scale";
+
+const source = { layout: fieldLayout, rows: fieldRows };
+const refiner = new PoolRefiner(
+  fieldLayout,
+  (listener) => new WorkerPool(workerCount(), startFieldWorker, listener),
+  new IdleRefiner(source, browserIdle),
+);
 
 /** The field of the scenario that is shown. */
-export const fields = new FieldStore({ layout: fieldLayout, rows: fieldRows }, browserIdle);
+export const fields = new FieldStore(source, refiner, () => performance.now());
 
 const pictures = new WeakMap<Field, FieldPicture>();
+const scale = new SteadyScale();
 
 /** The field as the scene draws it: the same object for the same field. */
 export function picture({
@@ -22,42 +36,33 @@ export function picture({
   const opacity = Number(palette.css("field-opacity"));
   const known = pictures.get(field);
   if (known?.opacity === opacity) return known;
-  const made = pictureOf(field, scenario.field, opacity);
+  const ends = scale.ends(kindOf(field.scenario), field.values, freshEnds(field.scenario));
+  const made = pictureOf(field, scenario, ends, opacity);
   pictures.set(field, made);
   return made;
 }
 
-export function pictureOf(field: Field, settings: Scenario["field"], opacity: number): FieldPicture {
+export function pictureOf(field: Field, scenario: Scenario, ends: Ends, opacity: number): FieldPicture {
   const { values, width, height, corner, u, v } = field;
-  const { quantity, position_limit, angle_limit } = settings;
-  const ends = scaleOf(values, unitOf(quantity).factor);
-  const worseThan = quantity === "position" ? position_limit : angle_limit;
-  const program = programOf(field.scenario);
+  const { subject, position_limit, angle_limit } = scenario.field;
+  const worseThan = inAngles(scenario) ? angle_limit : position_limit;
+  const program = subject === "body" ? programOf(field.scenario) : null;
   return { values, width, height, corner, u, v, ...ends, worseThan, opacity, program };
 }
 
-/** What a bound is shown in, and the factor that takes it there. */
-export function unitOf(quantity: Scenario["field"]["quantity"]): { unit: string; factor: number } {
-  return quantity === "position" ? { unit: "m", factor: 1 } : { unit: "deg", factor: DEGREES_PER_RADIAN };
+/** The ends of a scale for these values and no others. */
+export function freshEnds(scenario: Scenario): (values: Float32Array) => Ends {
+  const { factor } = unitOf(scenario);
+  const ends = scenario.field.subject === "body" ? scaleOf : endsOf;
+  return (values) => ends(values, factor);
 }
 
-/** So many values tell where the ends of the scale are. */
-const MOST_VALUES = 4096;
-/** The largest values stand beside a body that loses its last range: they would take all of the scale. */
-const SHOWN_SHARE = 0.97;
-
-/** Round ends of the scale around most of the bounds; `factor` takes the values to the unit that is round. */
-export function scaleOf(values: Float32Array, factor: number): { low: number; high: number } {
-  const stride = Math.ceil(values.length / MOST_VALUES);
-  const bounds = values.filter((value, index) => index % stride === 0 && value < UNBOUNDED).sort();
-  if (bounds.length === 0) return { low: 0.01 / factor, high: 1 / factor };
-  const low = niceBelow(Math.max(bounds[0] * factor, 1e-12));
-  const most = bounds[Math.floor(SHOWN_SHARE * (bounds.length - 1))] * factor;
-  return { low: low / factor, high: niceAbove(Math.max(most, 2 * low)) / factor };
+/** What has a scale in common: numbers of one meaning in one scene. */
+function kindOf({ name, field, placement }: Scenario): string {
+  return [name, field.subject, field.form, field.quantity, placement.target].join();
 }
 
-/** Smallest of 1, 2, 5 times a power of ten that is not below `value`. */
-function niceAbove(value: number): number {
-  const below = niceBelow(value);
-  return below >= value ? below : [2, 2.5, 5].map((factor) => below * factor).find((one) => one >= value)!;
+/** What the field is shown in, and the factor that takes it there. */
+export function unitOf(scenario: Pick<Scenario, "field" | "placement">): { unit: string; factor: number } {
+  return inAngles(scenario) ? { unit: "deg", factor: DEGREES_PER_RADIAN } : { unit: "m", factor: 1 };
 }

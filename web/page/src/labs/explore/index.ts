@@ -1,15 +1,21 @@
-import { preset, presets } from "../../engine";
+import { exploreModule, preset, presets } from "../../engine";
 import type { Lab } from "../../lab";
 import { axisLabels } from "../../rigid-body/layers";
 import { anchorLabels, anchors } from "../../scene/anchors";
+import { handleLabels, handles as handleMarks } from "../../scene/handles";
 import { ground, groundLabels } from "../../scene/ground";
 import Controls from "./controls/Panel.svelte";
+import { drawings } from "./drawings";
+import Designer from "./designer/Designer.svelte";
 import { fields, picture } from "./fields";
-import { body, bounds, contourLabels, contours, ghosts, ranges, reading, twin } from "./layers";
-import { boxes, boxLabels, downhill } from "./placement-layers";
+import { handles } from "./handles";
+import { body, bounds, contourLabels, contours, ghosts, mounting, ranges, reading, twin } from "./layers";
+import { nextLabels, nextMark } from "./next-layers";
+import { boxes, downhill, partLabels } from "./placement-layers";
 import { obstacles } from "./obstacles";
 import Readout from "./Readout.svelte";
 import { type ExploreRun, runOf } from "./run";
+import { sizePlot } from "./size-plot";
 import { describe, note, told } from "./told";
 
 /** Where anchors should stand: the bound as a landscape, and what the geometry cannot see. */
@@ -18,6 +24,7 @@ export const lab: Lab<ExploreRun> = {
   title: "Explore",
   order: 2,
   family: "rigid body",
+  load: () => exploreModule.load(),
   presets,
   preset,
   firstPreset: "room",
@@ -26,6 +33,7 @@ export const lab: Lab<ExploreRun> = {
     fields.show(scenario);
     return run;
   },
+  shows: "Anchors, body and the field of its bound in space",
   layers: [
     ground,
     contours,
@@ -33,25 +41,34 @@ export const lab: Lab<ExploreRun> = {
     boxes,
     ranges,
     bounds,
+    mounting,
     body,
     ghosts,
     twin,
     reading,
+    nextMark,
+    handleMarks,
     anchors,
     downhill,
   ],
   field: picture,
+  handles,
+  drawings,
   labels: (input) => [
     ...anchorLabels(input),
+    ...handleLabels(input),
     ...(input.run ? axisLabels(input, input.run) : []),
-    ...boxLabels(input),
+    ...nextLabels(input),
+    ...partLabels(input),
     ...contourLabels(input),
     ...groundLabels(input),
   ],
   note,
   told,
+  plots: ({ field }, { sizes }) => [sizePlot(sizes, field.form)],
   marks: () => [],
   describe,
+  Bench: Designer,
   Controls,
   Readout,
 };

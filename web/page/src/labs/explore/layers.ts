@@ -1,6 +1,7 @@
 import type { ExploreRun } from "./run";
-import { bodyRadius, drawnPosition, drawnSensors, hullOfSensors } from "../../rigid-body/drawn";
+import { bodyRadius, drawnPlaces, drawnPosition, drawnSensors, hullOfSensors } from "../../rigid-body/drawn";
 import { drawBody, drawRanges } from "../../rigid-body/layers";
+import { cloudOf } from "../../rigid-body/mounting";
 import { drawBoundFans, drawEllipsoid } from "../../rigid-body/uncertainty";
 import { matrixAt } from "../../run";
 import { add, lift, scale, sub, transform, type Vec3 } from "../../scene/geometry";
@@ -21,6 +22,15 @@ export const body: Layer<ExploreRun> = (input, out) => {
   if (input.run) drawBody(input, input.run, out);
 };
 
+/** Where the sensors may sit on the body: a dot for each and each of some trials. */
+export const mounting: Layer<ExploreRun> = (input, out) => {
+  const { run, scenario, palette } = input;
+  if (!run) return;
+  const color = palette.rgba("truth", 0.5);
+  for (const place of drawnPlaces(input, run, run.truth, 0, cloudOf(scenario)))
+    out.point(place, 1.5, color, "disc");
+};
+
 /** The bounds of the pose: an ellipsoid of the position, fans of the axes. */
 export const bounds: Layer<ExploreRun> = (input, out) => {
   const { run, palette, uncertainty, frame } = input;
@@ -35,12 +45,12 @@ export const bounds: Layer<ExploreRun> = (input, out) => {
 /** Lines of equal bound, with round numbers in the unit that is shown. */
 export const contours: Layer<ExploreRun> = (input, out) => {
   const field = picture(input);
-  if (field) fieldContours(input, out, field, unitOf(input.scenario.field.quantity).factor);
+  if (field) fieldContours(input, out, field, unitOf(input.scenario).factor);
 };
 
 export function contourLabels(input: SceneInput<ExploreRun>): Label[] {
   const field = picture(input);
-  const { unit, factor } = unitOf(input.scenario.field.quantity);
+  const { unit, factor } = unitOf(input.scenario);
   return field ? fieldContourLabels(field, factor, unit) : [];
 }
 
@@ -95,6 +105,7 @@ export const reading: Layer<ExploreRun> = (input, out) => {
   const point = pointUnder(input.ray, fields.field, scenario.dimension);
   if (!point) return;
   out.point(lift(point), 6, palette.rgba("accent"), "cross");
+  if (scenario.field.subject !== "body") return;
   const covariance = boundsAt(scenario, point)?.position_covariance;
   if (covariance && uncertainty.position)
     drawEllipsoid(

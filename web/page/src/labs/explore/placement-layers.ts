@@ -1,8 +1,7 @@
-import type { Region } from "../../generated/Region";
-import type { Color } from "../../scene/draw-list";
 import { cross, length, lift, scale, type Vec3 } from "../../scene/geometry";
 import type { Label, Layer, SceneInput } from "../../scene/input";
 import { facesOf } from "./obstacles";
+import { obstacleBoxPart, placementParts, wallPart } from "./parts";
 import { downhillOf } from "./placement";
 import type { ExploreRun } from "./run";
 
@@ -27,43 +26,25 @@ function beside(vector: Vec3): Vec3 {
   return scale(across, length(vector) / length(across));
 }
 
-interface NamedBox {
-  readonly name: string;
-  readonly token: string;
-  readonly dash: number;
-  readonly region: Region;
-}
-
-function boxesOf({ scenario }: SceneInput<ExploreRun>): NamedBox[] {
-  const { limits, region, keep_out } = scenario.placement;
-  return [
-    ...(limits ? [{ name: "anchors within", token: "ink-soft", dash: 0, region: limits }] : []),
-    ...(region ? [{ name: "body within", token: "accent", dash: 6, region }] : []),
-    ...keep_out.map((box, index) => ({
-      name: `keep out ${index + 1}`,
-      token: "warning",
-      dash: 3,
-      region: box,
-    })),
-  ];
-}
-
 /** Where anchors may stand and may not, and where the body may be. */
-export const boxes: Layer<ExploreRun> = (input, out) => {
-  for (const { token, dash, region } of boxesOf(input)) {
-    const color: Color = input.palette.rgba(token, 0.9);
-    for (const face of facesOf({ kind: "box", ...region }, input.frame))
-      out.polyline([...face, face[0]], { width: 1, dash, color });
+export const boxes: Layer<ExploreRun> = ({ scenario, palette, frame }, out) => {
+  for (const part of placementParts(scenario)) {
+    const style = { width: 1, dash: part.dash, color: palette.rgba(part.token, 0.9) };
+    for (const face of facesOf({ kind: "box", ...part.of(scenario) }, frame))
+      out.polyline([...face, face[0]], style);
   }
 };
 
-/** The name of each box at one of its corners. */
-export function boxLabels(input: SceneInput<ExploreRun>): Label[] {
-  return boxesOf(input).map(({ name, region }) => ({
-    id: `box ${name}`,
-    at: lift(region.high),
-    text: name,
-    kind: "tick",
-    offset: { x: 0, y: -9 },
-  }));
+/** The name of each box and wall at one of its upper corners. */
+export function partLabels({ scenario, frame }: SceneInput<ExploreRun>): Label[] {
+  const boxes = placementParts(scenario).map((part) => nameOf(part, lift(part.of(scenario).high)));
+  const obstacles = scenario.availability.obstacles.map((obstacle, index) => {
+    if (obstacle.kind === "box") return nameOf(obstacleBoxPart(index), lift(obstacle.high));
+    return nameOf(wallPart(index), facesOf(obstacle, frame)[0].at(-1)!);
+  });
+  return [...boxes, ...obstacles];
+}
+
+function nameOf({ id, name }: { id: string; name: string }, at: Vec3): Label {
+  return { id, at, text: name, kind: "name" };
 }

@@ -29,8 +29,8 @@ export class PlacementSearch {
   restarts = $state(8);
   running = $state(false);
   done = $state(0);
-  /** How the last search ended, as a sentence. */
-  outcome = $state("");
+  /** How the last search ended, and for what. */
+  #outcome = $state.raw({ sentence: "", problem: "" });
   #best: Improvement | null = $state.raw(null);
   #problem: string | null = $state.raw(null);
   #round: Round | null = null;
@@ -43,6 +43,12 @@ export class PlacementSearch {
     return this.#problem === problemOf(scenario) ? this.#best : null;
   }
 
+  /** How the last search ended, as a sentence; empty where that was for something else. */
+  outcomeFor(scenario: Scenario): string {
+    const { sentence, problem } = this.#outcome;
+    return sentence !== "" && problem === problemOf(scenario) ? sentence : "";
+  }
+
   /** Searches anew; a search under way is dropped. */
   start(seeker: Seeker): void {
     const scenario = seeker.current();
@@ -53,7 +59,7 @@ export class PlacementSearch {
     this.#problem = problemOf(scenario);
     this.running = true;
     this.done = 0;
-    this.outcome = "";
+    this.#outcome = { sentence: "", problem: "" };
     this.#pool ??= this.open({
       done: (_, found) => this.#merge(found),
       failed: (sentence) => this.#end(sentence),
@@ -85,10 +91,11 @@ export class PlacementSearch {
   }
 
   #end(sentence: string): void {
+    const problem = this.#round ? problemOf(this.#round.seeker.current()) : "";
     this.#pool?.close();
     this.#round = null;
     this.running = false;
-    this.outcome = sentence;
+    this.#outcome = { sentence, problem };
   }
 }
 

@@ -40,7 +40,7 @@ function setup(restarts = 3, start = scene(0)) {
 }
 
 describe("the search", () => {
-  test("moves the anchors once, to the best of all restarts in whatever order they end", () => {
+  test("moves the anchors once, to the best of all restarts in whatever order they end, and says so of that problem alone", () => {
     const { search, applied, seek, find, queue } = setup();
     seek();
     expect(queue().map(({ restart }) => restart)).toEqual([0, 1, 2]);
@@ -49,7 +49,8 @@ describe("the search", () => {
     expect([search.done, search.running, applied.length]).toEqual([2, true, 0]);
     find(1, 1);
     expect(applied.map(({ restart, after }) => [restart, after])).toEqual([[0, 1]]);
-    expect([search.running, search.outcome]).toEqual([false, "Best of 3: 1.00 m."]);
+    expect([search.running, search.outcomeFor(scene(1))]).toEqual([false, "Best of 3: 1.00 m."]);
+    expect(search.outcomeFor(scene(1, [0]))).toBe("");
   });
 
   test("of two restarts that end alike the earlier one counts", () => {
@@ -69,7 +70,7 @@ describe("the search", () => {
     seek();
     find(0, after);
     expect(applied).toEqual([]);
-    expect(search.outcome).toBe("No better places were found.");
+    expect(search.outcomeFor(scene(0))).toBe("No better places were found.");
   });
 
   test("any bound is better than none", () => {
@@ -86,7 +87,7 @@ describe("the search", () => {
     search.cancel();
     find(1, 0.5);
     expect([applied, queue(), search.running]).toEqual([[], [], false]);
-    expect(search.outcome).toContain("Cancelled");
+    expect(search.outcomeFor(scene(0))).toContain("Cancelled");
   });
 
   test("an edit meanwhile wins: what was found for the older scene is not applied", () => {
@@ -95,7 +96,7 @@ describe("the search", () => {
     state.scenario = scene(5);
     find(0, 1);
     expect(applied).toEqual([]);
-    expect(search.outcome).toContain("has changed");
+    expect(search.outcomeFor(state.scenario)).toContain("has changed");
   });
 
   test("started again it begins at nothing", () => {
@@ -113,7 +114,7 @@ describe("the search", () => {
     const { search, seek, fail } = setup();
     seek();
     fail("Anchor 2 has no place.");
-    expect([search.outcome, search.running]).toEqual(["Anchor 2 has no place.", false]);
+    expect([search.outcomeFor(scene(0)), search.running]).toEqual(["Anchor 2 has no place.", false]);
   });
 
   test("knows the best while free anchors move, not for another problem", () => {

@@ -1,8 +1,10 @@
 import { DEGREES_PER_RADIAN, formatNumber, formatReading } from "../../controls/format";
 import type { Exploration } from "../../generated/Exploration";
+import { toldMounting } from "../../rigid-body/mounting";
 import type { SceneInput } from "../../scene/input";
 import { asSentence } from "../../words";
 import { weakestMotion } from "./layers";
+import { toldNext } from "./next-anchor";
 import { toldAdvice } from "./placement";
 import type { ExploreRun } from "./run";
 
@@ -19,13 +21,14 @@ export function hiddenFrom({ cause, twin }: Pick<Exploration, "cause" | "twin">)
   return `${seen}; ${twin.proper ? "another pose" : "a mirrored body"} has the same ranges (dashed).`;
 }
 
-/** What the ghost is, and which lines are dashed. */
+/** What the ghost is, what the dots are, and which lines are dashed. */
 export function note(input: SceneInput<ExploreRun>): string {
   const { run } = input;
   if (!run) return "";
   const { missing, all } = missingRanges(run.exploration);
   const ranges = missing === 0 ? [] : [`${missing} of ${all} ranges cannot be measured: dashed`];
-  return [ghostOf(input), ...ranges].filter((part) => part !== "").join("; ");
+  const clouds = input.scenario.mounting_sigma > 0 ? ["dots: where the sensors may sit"] : [];
+  return [ghostOf(input), ...clouds, ...ranges].filter((part) => part !== "").join("; ");
 }
 
 function ghostOf(input: SceneInput<ExploreRun>): string {
@@ -55,7 +58,9 @@ export function told(input: SceneInput<ExploreRun>): string[] {
     `Position bound ${metres(exploration.position_sigma)}, orientation bound ${degrees(exploration.angle_sigma)}.`,
     missing === 0 ? `All ${all} ranges can be measured.` : `${missing} of ${all} ranges cannot be measured.`,
     ...(walls > 0 ? [`${walls} walls and boxes block lines of sight.`] : []),
+    ...toldMounting(scenario),
     ...toldAdvice(run.advice, scenario),
+    ...toldNext(run.next),
     ...(exploration.modes.length > 0 ? [`${ghostOf(input)}.`] : []),
   ];
 }

@@ -25,6 +25,7 @@ export const lab: Lab<Run> = {
   preset,
   firstPreset: "room",
   compute: track,
+  shows: "Anchors, body, tracks and estimates in space",
   layers: [ground, ranges, ellipsoids, truth, fans, estimates, ghost, anchors],
   labels: (input) => [
     ...anchorLabels(input),

@@ -1,6 +1,6 @@
 import { beforeAll, describe, expect, test } from "vitest";
 import { preset, track, validate } from "../../engine";
-import { loadEngineForTests } from "../../engine.testing";
+import { loadEngineForTests } from "../../engine/testing";
 import { pathOptions, speedOf, withPath } from "./paths";
 
 beforeAll(loadEngineForTests);

@@ -1,6 +1,6 @@
 import { DEGREES_PER_RADIAN, formatNumber } from "../../controls/format";
 import { chiSquaredInterval } from "../../engine";
-import type { PlotLine, PlotSpec, Threshold } from "../../plots/spec";
+import { type PlotLine, type PlotSpec, type Threshold, timeAxis } from "../../plots/spec";
 import { type BoundRun, type EstimatorRun, type Run, runsAt } from "../../run";
 import type { Scenario } from "../../scenario";
 import { MARKS } from "../../theme/palette";
@@ -58,7 +58,7 @@ export const POSITION = { name: "position", shortTitle: "Position", unit: "m" } 
 export const PLAIN = { bands: [], threshold: null, scale: "log", note: null } as const;
 
 export function plots(scenario: Scenario, run: Run): PlotSpec[] {
-  const common = { ...PLAIN, times: run.times };
+  const common = { ...PLAIN, x: timeAxis(run.times) };
   return [
     {
       ...common,

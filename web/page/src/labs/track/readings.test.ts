@@ -1,6 +1,6 @@
 import { beforeAll, describe, expect, test } from "vitest";
 import { chiSquaredInterval, preset, studyBlock, StudySum, track, trialsPerBlock } from "../../engine";
-import { loadEngineForTests } from "../../engine.testing";
+import { loadEngineForTests } from "../../engine/testing";
 import type { Run } from "../../run";
 import { boundReadings, estimatorReadings, studyReadings } from "./readings";
 

@@ -1,7 +1,7 @@
 import { beforeAll, describe, expect, test } from "vitest";
 import { DEGREES_PER_RADIAN, formatReading } from "../../controls/format";
 import { chiSquaredInterval, preset, presets, track } from "../../engine";
-import { loadEngineForTests } from "../../engine.testing";
+import { loadEngineForTests } from "../../engine/testing";
 import type { EstimatorRun, Run } from "../../run";
 import { describe as say } from "./sentence";
 

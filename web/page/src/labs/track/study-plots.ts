@@ -1,5 +1,5 @@
 import { DEGREES_PER_RADIAN } from "../../controls/format";
-import type { PlotLine, PlotSpec } from "../../plots/spec";
+import { type PlotLine, type PlotSpec, timeAxis } from "../../plots/spec";
 import type { Curve, EstimatorCurves, StudyCurves } from "../../study";
 import {
   boundLineLook,
@@ -14,7 +14,7 @@ import {
 
 /** The plots of one run as averages over trials, each against the bound with the same definition. */
 export function studyPlots(times: Float64Array, study: StudyCurves): PlotSpec[] {
-  const common = { ...PLAIN, times };
+  const common = { ...PLAIN, x: timeAxis(times) };
   return [
     {
       ...common,

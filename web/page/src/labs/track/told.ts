@@ -1,6 +1,7 @@
 import { DEGREES_PER_RADIAN, formatNumber, formatPoint, formatReading } from "../../controls/format";
 import { type EstimatorRun, matrixAt, pointAt, type Run, runsAt } from "../../run";
 import { axisAngle } from "../../scene/axis-angle";
+import { toldMounting } from "../../rigid-body/mounting";
 import type { SceneInput } from "../../scene/input";
 
 /** Ranges that were not measured at the step shown. */
@@ -18,12 +19,13 @@ export function note(input: SceneInput<Run>): string {
 
 /** The body and its estimates at the step shown, in words. */
 export function told(input: SceneInput<Run>): string[] {
-  const { run, step } = input;
+  const { run, scenario, step } = input;
   if (!run) return [];
   const { missing, all } = missingRanges(input);
   return [
     `Body turned by ${turn(matrixAt(run.truth.orientations, step, run.dimension, 1), run.dimension)}.`,
     missing === 0 ? `All ${all} ranges are measured.` : `${missing} of ${all} ranges are missing.`,
+    ...toldMounting(scenario),
     ...run.estimators.map((estimator) => toldOf(estimator, run, step)),
   ];
 }

@@ -27,10 +27,11 @@ function slug(text: string): string {
 }
 
 /** What is drawn besides the lines, in sentences. */
-export function remarks({ bands, threshold }: PlotSpec): string[] {
+export function remarks({ bands, threshold, x }: PlotSpec): string[] {
   const list = bands.map(
     ({ low, high, label }) => `Band from ${formatNumber(low)} to ${formatNumber(high)}: ${label}.`,
   );
+  if (x.now !== null) list.push(`The scenario lies at ${x.name} ${formatNumber(x.now)} ${x.unit}.`);
   if (threshold) list.push(`${threshold.name} = ${formatNumber(threshold.value)}.`);
   return list;
 }

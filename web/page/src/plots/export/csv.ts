@@ -1,4 +1,4 @@
-import { type PlotSpec, titleWithUnit } from "../spec";
+import { type PlotSpec, titleWithUnit, withUnit } from "../spec";
 import { describeOrigin, type Origin, remarks } from "./caption";
 
 /** Every step and figure to the last digit; comment lines start with #, gaps are empty. */
@@ -11,7 +11,9 @@ export function writeCsv(spec: PlotSpec, origin: Origin): string {
     ...remarks(spec),
   ];
   const columns = columnsOf(spec);
-  const rows = Array.from(spec.times, (_, step) => columns.map((column) => cell(column.at(step))).join(","));
+  const rows = Array.from(spec.x.values, (_, step) =>
+    columns.map((column) => cell(column.at(step))).join(","),
+  );
   const head = columns.map((column) => quoted(column.name)).join(",");
   return [...comments.map((line) => `# ${line}`), head, ...rows, ""].join("\r\n");
 }
@@ -21,12 +23,10 @@ interface Column {
   at(step: number): number;
 }
 
-function columnsOf({ times, lines, threshold, unit }: PlotSpec): Column[] {
-  const inUnit = (name: string) => (unit ? `${name} in ${unit}` : name);
-  const columns: Column[] = [
-    { name: "step", at: (step) => step + 1 },
-    { name: "time in s", at: (step) => times[step] },
-  ];
+function columnsOf({ x, lines, threshold, unit }: PlotSpec): Column[] {
+  const inUnit = (name: string) => withUnit(name, unit);
+  const columns: Column[] = [{ name: withUnit(x.name, x.unit), at: (step) => x.values[step] }];
+  if (x.now === null) columns.unshift({ name: "step", at: (step) => step + 1 });
   for (const { label, values, standardErrors, events } of lines) {
     columns.push({ name: inUnit(label), at: (step) => values[step] });
     if (standardErrors)

@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import type { Scenario } from "../../scenario";
 import type { Palette } from "../../theme/palette";
-import type { PlotLine, PlotSpec } from "../spec";
+import { type PlotLine, type PlotSpec, timeAxis } from "../spec";
 import { fileName, type Origin } from "./caption";
 import { writeCsv } from "./csv";
 import { withTexts } from "./png";
@@ -23,7 +23,7 @@ const spec: PlotSpec = {
   title: "Error <of> Q",
   shortTitle: "Q",
   unit: "deg",
-  times: Float64Array.of(0.1, 0.2, 0.3),
+  x: timeAxis(Float64Array.of(0.1, 0.2, 0.3)),
   lines: [
     line("kf", [1.25, NaN, 0.1 + 0.2], { events: [2] }),
     line("bound", [1, 1, 1], { mark: null, dash: [7, 4] }),

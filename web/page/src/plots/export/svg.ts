@@ -1,10 +1,10 @@
 import { SHAPES } from "../../scene/draw-list";
 import { outline } from "../../scene/mark";
 import type { Palette } from "../../theme/palette";
-import { timeRange } from "../options";
+import { axisRange } from "../options";
 import { Projection } from "../projection";
 import { valueRange } from "../range";
-import { type PlotLine, type PlotSpec, type ScaleKind, SPREAD, titleWithUnit } from "../spec";
+import { type PlotLine, type PlotSpec, type ScaleKind, SPREAD, titleWithUnit, withUnit } from "../spec";
 import { drawnSteps, stepsPerBucket, thin } from "../thin";
 import { tickLabel, ticks } from "../ticks";
 import { describeOrigin, type Origin, remarks } from "./caption";
@@ -61,9 +61,16 @@ class Picture {
     private readonly scale: ScaleKind,
     private readonly palette: Palette,
   ) {
-    this.#projection = new Projection(AXES, 1, timeRange(spec.times), valueRange(spec, scale), scale);
-    this.#bucket = stepsPerBucket(spec.times.length);
-    this.#steps = drawnSteps(spec.times.length, this.#bucket);
+    this.#projection = new Projection(
+      AXES,
+      1,
+      axisRange(spec.x),
+      spec.x.scale,
+      valueRange(spec, scale),
+      scale,
+    );
+    this.#bucket = stepsPerBucket(spec.x.values.length);
+    this.#steps = drawnSteps(spec.x.values.length, this.#bucket);
   }
 
   text(content: string, x: number, y: number, attributes: Attributes = {}): string {
@@ -71,12 +78,12 @@ class Picture {
   }
 
   axes(): string {
-    const { times, values, bottom, left, right, top } = this.#projection;
+    const { across, values, bottom, left, right, top } = this.#projection;
     const grid = { stroke: this.palette.css("grid") };
     const soft = { fill: this.palette.css("ink-soft") };
-    const across = ticks(times, "linear", 8).map((time) => {
-      const x = round(this.#projection.x(time));
-      const label = this.text(tickLabel(time), x, bottom + 20, { ...soft, "text-anchor": "middle" });
+    const along = ticks(across, this.spec.x.scale, 8).map((value) => {
+      const x = round(this.#projection.x(value));
+      const label = this.text(tickLabel(value), x, bottom + 20, { ...soft, "text-anchor": "middle" });
       return element("line", { x1: x, x2: x, y1: top, y2: bottom, ...grid }) + label;
     });
     const up = ticks(values, this.scale, 9).map((value) => {
@@ -84,11 +91,11 @@ class Picture {
       const label = this.text(tickLabel(value), left - 8, y + 5, { ...soft, "text-anchor": "end" });
       return element("line", { x1: left, x2: right, y1: y, y2: y, ...grid }) + label;
     });
-    const name = this.text("time in s", (left + right) / 2, bottom + 42, {
+    const name = this.text(withUnit(this.spec.x.name, this.spec.x.unit), (left + right) / 2, bottom + 42, {
       ...soft,
       "text-anchor": "middle",
     });
-    return [...across, ...up, name].join("\n");
+    return [...along, ...up, name].join("\n");
   }
 
   contents(): string {
@@ -98,6 +105,7 @@ class Picture {
       ...lines.map((line) => this.#spread(line)),
       ...lines.map((line, index) => this.#line(line, index)),
       ...lines.map((line) => this.#events(line)),
+      this.#now(),
     ];
     if (threshold) {
       const stroke = this.palette.css(threshold.token);
@@ -149,7 +157,7 @@ class Picture {
   }
 
   #x(point: number): number {
-    return round(this.#projection.x(this.spec.times[this.#steps[point]]));
+    return round(this.#projection.x(this.spec.x.values[this.#steps[point]]));
   }
 
   /** Through the points there are; a gap lifts the pen. */
@@ -211,11 +219,27 @@ class Picture {
     return element("polygon", { points: corners.join(" "), fill: color });
   }
 
+  /** Where the scenario lies. */
+  #now(): string {
+    const { now } = this.spec.x;
+    if (now === null) return "";
+    const { top, bottom } = this.#projection;
+    const x = round(this.#projection.x(now));
+    return element("line", {
+      x1: x,
+      x2: x,
+      y1: top,
+      y2: bottom,
+      stroke: this.palette.css("accent"),
+      "stroke-width": 2,
+    });
+  }
+
   #events({ events, token }: PlotLine): string {
     const { bottom } = this.#projection;
-    const width = Math.min(4, (0.6 * AXES.width) / this.spec.times.length);
+    const width = Math.min(4, (0.6 * AXES.width) / this.spec.x.values.length);
     const d = events
-      .map((step) => `M${round(this.#projection.x(this.spec.times[step]))} ${bottom}v-14`)
+      .map((step) => `M${round(this.#projection.x(this.spec.x.values[step]))} ${bottom}v-14`)
       .join("");
     const stroke = this.palette.css(token);
     return d ? element("path", { d, stroke, "stroke-width": round(width) }) : "";

@@ -1,0 +1,20 @@
+/**
+ * The only door to the WebAssembly modules: what every lab needs in one, what a lab needs besides in one of its own, the
+ * scene renderer in two builds. What leaves this folder are plain objects, typed arrays and errors whose message is a
+ * sentence for the student.
+ */
+import { exploreModule } from "./explore";
+import { trackModule } from "./track";
+
+export * from "./explore";
+export { type EngineModule, EngineTrap } from "./module";
+export * from "./scene";
+export * from "./track";
+
+/** By the folder below `wasm/` that each is built into. */
+export const modules = { track: trackModule, explore: exploreModule };
+
+/** Fresh instances, after a trap. Studies begun in the old ones are lost with them. */
+export function restartEngine(): void {
+  for (const module of Object.values(modules)) module.restart();
+}

@@ -1,0 +1,74 @@
+/** The instance of a module is lost, after a bug in it; `restartEngine` gives a fresh one. */
+export class EngineTrap extends Error {}
+
+const TRAPPED =
+  "The engine stopped at an unexpected place and has to be started again. Nothing of the scenario is lost.";
+
+/** What wasm-bindgen gives with every module: what starts an instance, and what replaces it by a fresh one. */
+interface Glue {
+  default(options: { module_or_path: WebAssembly.Module }): Promise<unknown>;
+  __wbg_reset_state(): void;
+}
+
+/** A WebAssembly module of the engine and its one instance in this thread. */
+export class EngineModule {
+  /** Counts restarts: an object of an earlier instance must not reach into the memory of this one. */
+  generation = 0;
+  #compiled: WebAssembly.Module | null = null;
+  #loading: Promise<void> | null = null;
+
+  constructor(
+    private readonly glue: Glue,
+    private readonly url: string,
+  ) {}
+
+  /**
+   * Starts it: from the page's own address, or from a module that was compiled before and posted here. Once it is
+   * there nothing more is done; after a failure it can be asked for again.
+   */
+  load(module?: WebAssembly.Module): Promise<void> {
+    this.#loading ??= this.#start(module).catch((error: unknown) => {
+      this.#loading = null;
+      throw error;
+    });
+    return this.#loading;
+  }
+
+  /** The compiled module, to post to workers. */
+  get compiled(): WebAssembly.Module {
+    if (this.#compiled === null) throw new Error("The engine is not loaded yet.");
+    return this.#compiled;
+  }
+
+  /** Calls into the instance; what goes wrong is an `Error` whose message is a sentence. */
+  call<T>(call: () => T): T {
+    try {
+      return call();
+    } catch (error) {
+      if (error instanceof WebAssembly.RuntimeError) throw new EngineTrap(TRAPPED, { cause: error });
+      if (error instanceof Error) throw error;
+      throw new Error(String(error), { cause: error });
+    }
+  }
+
+  /** A fresh instance, if there is one. */
+  restart(): void {
+    if (this.#compiled === null) return;
+    this.generation += 1;
+    this.glue.__wbg_reset_state();
+  }
+
+  async #start(module?: WebAssembly.Module): Promise<void> {
+    const compiled = module ?? (await compile(this.url));
+    await this.glue.default({ module_or_path: compiled });
+    this.#compiled = compiled;
+  }
+}
+
+/** Compiled while it streams in; a server that calls it something else than WebAssembly costs the streaming only. */
+async function compile(url: string): Promise<WebAssembly.Module> {
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`The engine could not be fetched (${response.status}).`);
+  const isWasm = response.headers.get("Content-Type")?.startsWith("application/wasm");
+  return isWasm ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+}

@@ -1,0 +1,104 @@
+//! The WebAssembly module that the page starts with: documents in as JSON, a run out as typed arrays.
+//!
+//! It is a thin facade over rangelab and does no arithmetic of its own but the roots of variances. What goes wrong is thrown as an `Error` whose message is
+//! a sentence.
+
+mod study;
+mod track_run;
+
+use rangelab::model::presets::PRESETS;
+use rangelab::model::scenario::Scenario;
+use rangelab::model::topologies;
+use rangelab::study::track_run::run_scenario;
+use rangelab::{Error, Problem};
+use rangelab_wasm_shared::json;
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+pub use study::{StudySum, study_block};
+pub use track_run::TrackRun;
+
+/// The presets: JSON `[{name, title, summary}]`.
+#[wasm_bindgen]
+pub fn presets() -> String {
+    json(&PRESETS)
+}
+
+/// The scenario of a preset as JSON.
+///
+/// # Errors
+/// A sentence with the names that exist.
+#[wasm_bindgen]
+pub fn preset(name: &str) -> Result<String, JsError> {
+    Ok(rangelab::model::presets::preset(name)?.to_json())
+}
+
+/// The named bodies of a dimension: JSON `[{name, title, sensors}]`, the two farthest sensors 1 m apart.
+#[wasm_bindgen]
+pub fn topologies(dimension: usize) -> String {
+    json(&topologies::topologies(dimension))
+}
+
+/// A scenario (JSON) with everything that it leaves out filled in.
+///
+/// # Errors
+/// A sentence with every problem of the scenario.
+#[wasm_bindgen]
+pub fn complete(scenario: &str) -> Result<String, JsError> {
+    Ok(Scenario::from_json(scenario)?.to_json())
+}
+
+/// The central interval of the chi-square distribution: the two numbers that hold `probability` between them and leave as
+/// much below as above.
+///
+/// # Errors
+/// A sentence where there is no such interval.
+#[wasm_bindgen]
+pub fn chi_squared_interval(degrees_of_freedom: f64, probability: f64) -> Result<Vec<f64>, JsError> {
+    Ok(rangelab::math::chi_squared::chi_squared_interval(degrees_of_freedom, probability)?.to_vec())
+}
+
+/// All that is wrong with a scenario: JSON `[{path, value, limit, message}]`, empty if it can be run. Text that is no
+/// scenario gives one entry without a path.
+#[wasm_bindgen]
+pub fn validate(scenario: &str) -> String {
+    let found = match Scenario::from_json(scenario) {
+        Ok(_) => Vec::new(),
+        Err(Error::Invalid { problems, .. }) => problems.into_iter().map(Found::from).collect(),
+        Err(error) => vec![Found { message: error.to_string(), ..Found::default() }],
+    };
+    json(&found)
+}
+
+/// Simulates one trial of a scenario (JSON) and runs its estimators and the bounds on it.
+///
+/// # Errors
+/// A sentence with every problem of the scenario. An estimator that fails says so in its own part of the run.
+#[wasm_bindgen]
+pub fn track(scenario: &str, trial: u32) -> Result<TrackRun, JsError> {
+    Ok(run_scenario(&Scenario::from_json(scenario)?, u64::from(trial))?.into())
+}
+
+/// What people and files call an estimator or a bound.
+#[derive(Serialize)]
+struct Named<'a> {
+    name: &'a str,
+    label: &'a str,
+}
+
+/// A problem and its sentence.
+#[derive(Default, Serialize)]
+struct Found {
+    path: String,
+    value: String,
+    limit: String,
+    message: String,
+}
+
+impl From<Problem> for Found {
+    fn from(problem: Problem) -> Self {
+        let message = problem.to_string();
+        let Problem { path, value, limit } = problem;
+        Self { path, value, limit, message }
+    }
+}
