@@ -22,7 +22,10 @@ fn main() {
     let all = native(&case, &FilterName::ALL);
     print!("{:<24} {all:>8.3} ms native (target 5)", "all, 100 steps");
     match wasm() {
-        Some(ms) => println!(", {ms:.3} ms in WebAssembly (target 5), ratio {:.2}", ms / all),
+        Some([ms, sum]) => {
+            println!(", {ms:.3} ms in WebAssembly (target 5), ratio {:.2}", ms / all);
+            assert_eq!(sum.to_bits(), case.run(&FilterName::ALL).to_bits(), "the same bits");
+        }
         None => println!("; no WebAssembly: compile the example track_wasm first (see the bench `track`)"),
     }
 }
@@ -37,10 +40,13 @@ fn native(case: &IndoorCase, filters: &[FilterName]) -> f64 {
     (0..PASSES).map(time).fold(f64::INFINITY, f64::min)
 }
 
-fn wasm() -> Option<f64> {
+/// The time, and the sum of what was computed.
+fn wasm() -> Option<[f64; 2]> {
     let target = std::env::current_exe().ok()?.ancestors().nth(3)?.to_path_buf();
     let module = target.join("wasm32-unknown-unknown/wasm/examples/track_wasm.wasm");
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("crate/benches/indoor.mjs");
     let output = Command::new("node").arg(script).arg(module).output().ok()?;
-    String::from_utf8_lossy(&output.stdout).trim().parse().ok()
+    let text = String::from_utf8(output.stdout).ok()?;
+    let numbers: Vec<f64> = text.lines().filter_map(|line| line.parse().ok()).collect();
+    numbers.try_into().ok()
 }
