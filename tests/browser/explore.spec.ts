@@ -124,6 +124,8 @@ test("at rest the field gets finer in workers, and where there are none in idle 
 }) => {
   const lab = await openExplore(page);
   await expect.poll(() => page.workers().some((worker) => worker.url().includes("field-worker"))).toBe(true);
+  // The other page begins as this one did.
+  await page.evaluate(() => localStorage.clear());
   const alone = await context.newPage();
   await alone.addInitScript(() => {
     window.Worker = class {
