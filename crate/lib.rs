@@ -7,6 +7,7 @@
 //! |---|---|
 //! | [`math`] | rotations, poses and small matrices, in the plane and in space by one code path |
 //! | [`model`] | anchors, topology, noise, ranges and their normal equations; the documents `Scenario`, `Recording`, `Run` |
+//! | [`localize`] | LS, SUC-LS, OUC-LS, their total least squares, maximum likelihood: the pose from one epoch alone |
 //! | [`track`] | KF, KF-ortho, UC-KF, ET-KF and the error-state filter, all on one update |
 //! | [`bounds`] | CRB, UC-CRB and the posterior bounds: how well any estimator could do |
 //! | [`simulate`] | a scenario made into a recording, one random stream a trial |
@@ -29,6 +30,7 @@ extern crate alloc;
 
 pub mod bounds;
 pub mod error;
+pub mod localize;
 pub mod math;
 pub mod model;
 pub mod place;

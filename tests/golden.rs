@@ -8,7 +8,7 @@ mod fingerprint;
 use std::fs;
 use std::path::PathBuf;
 
-use fingerprint::{fingerprints, geometry_fingerprints, study_fingerprint};
+use fingerprint::{fingerprints, geometry_fingerprints, snapshot_fingerprints, study_fingerprint};
 use rangelab::model::presets::{PRESETS, Preset, preset};
 use rangelab::model::run::Run;
 use rangelab::study::monte_carlo::MonteCarlo;
@@ -70,6 +70,11 @@ fn fields_and_placements_give_the_same_bits_as_ever() {
 }
 
 #[test]
+fn snapshots_give_the_same_bits_as_ever() {
+    assert_eq!(snapshot_fingerprints(), include_str!("golden/snapshots.txt"));
+}
+
+#[test]
 #[ignore = "writes the golden files anew"]
 fn write_the_golden_files() {
     for preset in &PRESETS {
@@ -78,4 +83,5 @@ fn write_the_golden_files() {
     let beside = |name: &str| file(&PRESETS[0]).with_file_name(name);
     fs::write(beside("studies.txt"), studies()).unwrap();
     fs::write(beside("geometry.txt"), geometry_fingerprints()).unwrap();
+    fs::write(beside("snapshots.txt"), snapshot_fingerprints()).unwrap();
 }

@@ -4,12 +4,13 @@ use core::ops::Range;
 
 use nalgebra::SMatrix;
 
-use super::cause::{Parameters, unobservable};
+use super::cause::unobservable;
 use super::fisher::FisherInformation;
 use crate::error::Result;
 use crate::math::block::BlockMatrix;
 use crate::math::rotation::{Rotation, rotation_angles};
 use crate::math::tangent::{TangentMatrix, tangent_dimension};
+use crate::model::lack::Parameters;
 
 /// Where knowing nothing of the other parameters costs more than this factor in the variance of one, the information
 /// matrix is singular within double precision.

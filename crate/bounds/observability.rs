@@ -6,15 +6,14 @@ use alloc::vec::Vec;
 
 use nalgebra::{SMatrix, SVector, Vector4};
 
-use super::cause::{
-    Cause, Parameters, Reason, describe_flat, describe_turn, describe_vector, metres, reason,
-};
+use super::cause::{describe_turn, describe_vector, reason};
 use super::constrained::unitary_crb;
 use super::fisher::FisherInformation;
 use crate::math::float::{degrees, sqrt};
 use crate::math::rotation::{Angles, rotation_angles};
 use crate::math::singular::singular;
 use crate::math::tangent::{MAX_TANGENT, TangentVector, split, tangent_dimension};
+use crate::model::lack::{Cause, Parameters, Reason, describe_flat, metres};
 use crate::model::spread::{Spread, singular_values};
 use crate::model::topology::Topology;
 

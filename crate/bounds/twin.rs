@@ -6,8 +6,8 @@ use alloc::vec::Vec;
 
 use nalgebra::SVector;
 
-use super::cause::{FLAT, describe_flat};
 use crate::math::pose::Pose;
+use crate::model::lack::{FLAT, describe_flat};
 use crate::model::ranging::RangeModel;
 
 /// The body reflected in the plane (D = 2: line) of the anchors: every range is the same.

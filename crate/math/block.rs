@@ -207,6 +207,11 @@ impl<const D: usize> BlockMatrix<D> {
         self.block(D, D)
     }
 
+    /// Whether the blocks of `Q` are positive definite within double precision.
+    pub fn is_positive_on_orientation(&self) -> bool {
+        self.clone().sweep(D * D).is_ok()
+    }
+
     /// Given a covariance: the metric of `Q` with `t` left free, and what moves `t` when `Q` is moved.
     ///
     /// # Errors

@@ -2,8 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::ranges::Ranges;
 use crate::error::{Error, Result};
-use crate::math::float::ratio_from_db;
+use crate::math::float::{ratio_from_db, sqrt};
 
 /// Squared ranges below this (m^2) are weighted as if they were this long, so that a weight stays finite.
 pub const SQUARED_RANGE_FLOOR: f64 = 1e-6;
@@ -42,6 +43,18 @@ impl RangeNoise {
     /// ```
     pub fn squared_range_variance(&self, squared_range: f64) -> f64 {
         self.law().variance(squared_range)
+    }
+
+    /// Root mean square over all pairs of the standard deviation of a range, m: `var y = var d/(4 r^2)`.
+    pub fn range_error(&self, ranges: &Ranges) -> f64 {
+        let pairs = (0..ranges.sensors()).flat_map(|n| (0..ranges.anchors()).map(move |m| (m, n)));
+        let squared = pairs.filter_map(|(m, n)| ranges.get(m, n)).map(|d| d.max(SQUARED_RANGE_FLOOR));
+        let (mut sum, mut count) = (0.0, 0.0);
+        for d in squared {
+            sum += self.squared_range_variance(d) / (4.0 * d);
+            count += 1.0;
+        }
+        if count > 0.0 { sqrt(sum / count) } else { 0.0 }
     }
 
     /// The variance law with its constants worked out once.

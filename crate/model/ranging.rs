@@ -205,7 +205,7 @@ impl<const D: usize> RangeModel<D> {
         }
     }
 
-    fn check_size(&self, ranges: &Ranges) -> Result<()> {
+    pub(super) fn check_size(&self, ranges: &Ranges) -> Result<()> {
         for (what, found, expected) in [
             ("rows of ranges (one an anchor)", ranges.anchors(), self.anchors.len()),
             ("columns of ranges (one a sensor)", ranges.sensors(), self.topology.len()),

@@ -3,7 +3,8 @@
 use nalgebra::{SMatrix, SVector};
 
 use crate::math::float::{atan2, sqrt};
-use crate::math::pose::Pose;
+use crate::math::pose::{Pose, Theta};
+use crate::math::rotation::{Manifold, Rotation};
 use crate::track::filter::Step;
 
 /// Error of a reported pose.
@@ -22,17 +23,20 @@ pub struct PoseError<const D: usize> {
 impl<const D: usize> PoseError<D> {
     /// Measures a step against the true pose.
     pub fn of(step: &Step<D>, truth: &Pose<D>) -> Self {
+        Self::between(&step.posterior, truth)
+    }
+
+    /// Measures `[Q | t]` against the true pose.
+    pub fn between(theta: &Theta<D>, truth: &Pose<D>) -> Self {
+        let nearest = Rotation::project(&theta.orientation, Manifold::So);
         let rotation = truth.rotation.matrix();
         let columns = (0..D).map(|j| {
-            angle_between(
-                &step.posterior.orientation.column(j).into_owned(),
-                &rotation.column(j).into_owned(),
-            )
+            angle_between(&theta.orientation.column(j).into_owned(), &rotation.column(j).into_owned())
         });
         Self {
-            orientation: step.posterior.orientation - rotation,
-            position: step.posterior.position - truth.position,
-            angle: step.rotation().inverse().compose(&truth.rotation).angle(),
+            orientation: theta.orientation - rotation,
+            position: theta.position - truth.position,
+            angle: nearest.inverse().compose(&truth.rotation).angle(),
             column_angle: columns.sum::<f64>() / D as f64,
         }
     }

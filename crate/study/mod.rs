@@ -5,6 +5,7 @@ mod bound_tally;
 pub mod error;
 pub mod exploration;
 mod flat;
+pub mod localization;
 pub mod moments;
 pub mod monte_carlo;
 pub mod report;

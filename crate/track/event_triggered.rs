@@ -2,10 +2,10 @@
 
 use super::filter::{Estimator, Step, Uncertainty};
 use super::kalman::{KalmanFilter, Update};
-use super::projection::project_in_metric;
 use crate::error::Result;
 use crate::math::block::OrientationMetric;
 use crate::math::pose::Theta;
+use crate::math::projection::project_in_metric;
 use crate::math::rotation::{Manifold, Rotation, defect};
 use crate::model::covariance::Covariance;
 use crate::model::epoch::{Epoch, Initial};

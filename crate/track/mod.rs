@@ -15,9 +15,6 @@ pub mod error_state;
 pub mod event_triggered;
 pub mod filter;
 pub mod kalman;
-mod newton;
-pub mod projection;
-mod secular;
 pub mod unitary;
 
 /// The estimator of a name, ready for the first epoch of a recording.

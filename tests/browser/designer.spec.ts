@@ -232,7 +232,7 @@ test("mounting errors are clouds around the sensors, as wide as they are large",
   expect(await heights()).toEqual([]);
   await designer(page).getByRole("button", { name: "front" }).click();
   await lab.openGroup("Sensors on the body");
-  await lab.type("Mounting error σ_e", "0.005");
+  await lab.type("Mounting error σe", "0.005");
   await expect.poll(async () => (await heights()).length).toBe(5 * 48);
   const { y } = await pixelOf(page, 5);
   const top = ((await inset(page).boundingBox())?.y ?? 0) - y;
@@ -242,7 +242,7 @@ test("mounting errors are clouds around the sensors, as wide as they are large",
     return Math.hypot(...off) / Math.sqrt(off.length);
   };
   const narrow = await spread();
-  await lab.type("Mounting error σ_e", "0.02");
+  await lab.type("Mounting error σe", "0.02");
   // The same draws, four times as far from where the sensor is meant to be.
   await expect.poll(async () => (await spread()) / narrow).toBeGreaterThan(3.5);
   expect((await spread()) / narrow).toBeLessThan(4.5);

@@ -6,7 +6,13 @@ import { unpack } from "./scenario-link";
 const SIGMA_E = "Mounting error σe";
 const DOTS = "dots: where the sensors may sit";
 
+/** Draws nothing else as discs of this radius. */
+const DOT = 1.5;
+/** Places that are shown of each of the five sensors. */
+const DOTS_DRAWN = 48 * 5;
+
 async function openExplore(page: Page): Promise<Lab> {
+  await page.addInitScript(watchDiscs);
   const lab = await Lab.open(page);
   await page.getByRole("navigation", { name: "Labs" }).getByRole("button", { name: "Explore" }).click();
   await expect(page.getByRole("table", { name: "Bounds of one epoch" })).toBeVisible();
@@ -14,12 +20,26 @@ async function openExplore(page: Page): Promise<Lab> {
   return lab;
 }
 
-/** The picture around the body, where nothing is written that the mounting error changes. */
-async function aroundTheBody(lab: Lab): Promise<string> {
-  const { x, y } = await lab.pixelOf("axis 0");
-  await lab.settled();
-  const clip = { x: x - 110, y: y - 110, width: 220, height: 220 };
-  return (await lab.page.screenshot({ clip })).toString("base64");
+/** Keeps the discs of the last picture: x, y and radius of each in pixels. A picture begins with its ground. */
+function watchDiscs(): void {
+  const plain = CanvasRenderingContext2D.prototype;
+  const { fillRect, arc } = plain;
+  const discs: number[][] = [];
+  Object.assign(window, { discs });
+  plain.fillRect = function (x, y, width, height) {
+    if (this.canvas.closest(".scene") && width === this.canvas.width) discs.length = 0;
+    fillRect.call(this, x, y, width, height);
+  };
+  plain.arc = function (x, y, radius, ...rest) {
+    if (this.canvas.closest(".scene")) discs.push([x, y, radius]);
+    arc.call(this, x, y, radius, ...rest);
+  };
+}
+
+/** The dots of the clouds in the scene, pixels from the corner of its surface. */
+async function dots(page: Page): Promise<number[][]> {
+  const discs = await page.evaluate(() => (window as unknown as { discs: number[][] }).discs);
+  return discs.filter(([, , radius]) => Math.abs(radius - DOT) < 1e-6);
 }
 
 const note = (page: Page) => page.locator(".scene .note");
@@ -32,6 +52,13 @@ function linked(page: Page): unknown {
 /** What a screen reader is told of the scene besides its anchors. */
 const told = (page: Page) => page.getByRole("list", { name: "More in the scene" });
 
+/** Root mean square distance of dots from their middle. */
+function spread(points: readonly number[][]): number {
+  const middle = [0, 1].map((axis) => points.reduce((sum, point) => sum + point[axis], 0) / points.length);
+  const squares = points.map(([x, y]) => (x - middle[0]) ** 2 + (y - middle[1]) ** 2);
+  return Math.sqrt(squares.reduce((sum, square) => sum + square, 0) / points.length);
+}
+
 test("a typed mounting error draws its clouds around the sensors, and undo takes them away", async ({
   page,
 }) => {
@@ -39,20 +66,22 @@ test("a typed mounting error draws its clouds around the sensors, and undo takes
   const bounds = page.locator('[data-at="body"] td');
   const before = await bounds.allInnerTexts();
   await expect(note(page)).not.toContainText(DOTS);
-  const bare = await aroundTheBody(lab);
+  expect(await dots(page)).toEqual([]);
   await lab.type(SIGMA_E, "0.05");
   await expect(note(page)).toContainText(DOTS);
   await expect(told(page)).toContainText("Sensors sit 0.0500 m off their places");
-  await expect.poll(() => aroundTheBody(lab)).not.toBe(bare);
-  const clouded = await aroundTheBody(lab);
+  await expect.poll(async () => (await dots(page)).length).toBe(DOTS_DRAWN);
+  const near = await dots(page);
   expect(await bounds.allInnerTexts(), "the bounds do not know of it").toEqual(before);
   await expect.poll(() => linked(page)).toBe(0.05);
   await lab.field(SIGMA_E).blur();
   await page.keyboard.press("Control+z");
   await expect(note(page)).not.toContainText(DOTS);
-  await expect.poll(() => aroundTheBody(lab)).toBe(bare);
+  await expect.poll(() => dots(page)).toEqual([]);
   await page.keyboard.press("Control+Shift+z");
-  await expect.poll(() => aroundTheBody(lab)).toBe(clouded);
+  await expect.poll(() => dots(page)).toEqual(near);
+  await lab.type(SIGMA_E, "0.2");
+  await expect.poll(async () => spread(await dots(page)) / spread(near)).toBeGreaterThan(1.8);
 });
 
 test("estimators are off by what they are not told, and a link brings the error along", async ({ page }) => {

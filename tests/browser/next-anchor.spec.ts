@@ -42,15 +42,15 @@ test("after a drag the read-out of one more anchor is the number of the command 
   const point = [2.5, 3, 1.5];
   for (const [axis, value] of point.entries()) await lab.type(`Read at, ${"xyz"[axis]}`, String(value));
   const before = await number(page, "typed");
-  await lab.drag(2, -120, 60);
+  await lab.drag(2, -330, 150);
   await expect(lab.status).toContainText("Anchor 2 moved to");
   const expected = commandLine(await savedScenario(page), point);
   const shown = [await number(page, "now"), await number(page, "typed")];
   for (const [index, value] of shown.entries())
-    // Shown to three digits.
-    expect(Math.abs(value / expected[index] - 1)).toBeLessThan(0.005);
+    // Shown to three digits, and the first is a 5 or more.
+    expect(Math.abs(value / expected[index] - 1)).toBeLessThan(0.001);
   expect(shown[1]).toBeLessThan(shown[0]);
-  expect(Math.abs(before / expected[1] - 1)).toBeGreaterThan(0.005);
+  expect(Math.abs(before / expected[1] - 1)).toBeGreaterThan(0.01);
 });
 
 test("Add it puts an anchor at the best place, which lowers the figure; one undo takes it away", async ({

@@ -136,7 +136,7 @@ async function explore(lab: Lab): Promise<void> {
 async function chooseSensor(lab: Lab): Promise<void> {
   await explore(lab);
   await lab.openGroup("Sensors on the body");
-  await lab.type("Mounting error σ_e", "0.01");
+  await lab.type("Mounting error σe", "0.01");
   await lab.page.getByRole("button", { name: /^Sensor 2 at/ }).focus();
 }
 

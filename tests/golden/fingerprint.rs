@@ -1,14 +1,19 @@
 //! A short fingerprint of every number of a run, the same natively and in the browser only if every bit is.
 
 use rangelab::bounds::field::{Field, FieldLayout, layout_of};
+use rangelab::math::rotation::Manifold;
 use rangelab::model::document::entries::PoseEntries;
 use rangelab::model::field_settings::{FieldSettings, Quantity, Subject};
+use rangelab::model::localize_settings::Loss;
+use rangelab::model::noise::RangeNoise;
 use rangelab::model::placement_settings::Criterion;
 use rangelab::model::presets::preset;
 use rangelab::model::ranging::RangeForm;
 use rangelab::model::run::{BoundRecord, Run, StepRecord};
 use rangelab::model::scenario::Scenario;
 use rangelab::place::{best_next, field_rows, improve};
+use rangelab::study::localization::LocalizationStudy;
+use rangelab::study::localization::run::localize_trial;
 use rangelab::with_dimension;
 
 /// FNV-1a, 64 bits.
@@ -134,4 +139,33 @@ fn field_values<const D: usize>(scenario: &Scenario) -> Vec<f64> {
     };
     [value(Quantity::Position, RangeForm::Raw, 1), value(Quantity::Orientation, RangeForm::Projected, 3)]
         .concat()
+}
+
+/// A line for one trial and one for a short study of the snapshot estimators, with every choice that leads elsewhere.
+pub fn snapshot_fingerprints() -> String {
+    let each = |(name, noises): (&str, [RangeNoise; 2])| {
+        let mut scenario = preset(name).unwrap();
+        scenario.localize.multi_start = true;
+        scenario.localize.loss = Loss::Huber { scale: 1.345 };
+        scenario.mounting_sigma = 0.01;
+        let run = localize_trial(&scenario, 0).unwrap();
+        scenario.localize.manifold = Manifold::O;
+        let study = LocalizationStudy::new(&scenario, noises.to_vec(), 7).unwrap();
+        line(&format!("snapshot of {name}"), |hash| {
+            hash.bytes(serde_json::to_string(&run).unwrap().as_bytes())
+        }) + &line(&format!("localization of {name}"), |hash| {
+            hash.numbers(&study.block(0).unwrap().to_numbers());
+        })
+    };
+    let ranges = [0.3, 0.01].map(|sigma| RangeNoise::Range { sigma });
+    let times = [20.0, 60.0].map(|zeta_db| RangeNoise::Toa { zeta_db });
+    [
+        ("planar", ranges),
+        ("missing-ranges", ranges),
+        ("three-anchors", ranges),
+        ("localization-paper", times),
+        ("localization-paper-redrawn", times),
+    ]
+    .map(each)
+    .concat()
 }

@@ -3,8 +3,8 @@
 use nalgebra::{DMatrix, SMatrix, SVector};
 use rangelab::math::block::BlockMatrix;
 use rangelab::math::pose::Theta;
+use rangelab::math::projection::project_in_metric;
 use rangelab::math::rotation::{Manifold, Rotation, defect, determinant, rotation_angles};
-use rangelab::track::projection::project_in_metric;
 
 use crate::support::sampling::Sampler;
 use crate::support::{at_most, caught, dense};

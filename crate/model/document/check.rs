@@ -46,6 +46,7 @@ impl Limit {
     pub const PROBABILITY: Self = Self::from(0.0, 1.0, "");
     pub const VARIANCE: Self = Self::above_zero(1e12, "");
     pub const EPSILON: Self = Self::from(0.0, 1e6, "");
+    pub const HUBER_SCALE: Self = Self::above_zero(1e6, " standard deviations");
     pub const ENTRY: Self = Self::from(-1e6, 1e6, "");
     pub const RANGE: Self = Self::from(0.0, 1e10, " m");
     pub const SQUARED_RANGE: Self = Self::from(-1e20, 1e20, " m^2");

@@ -4,6 +4,7 @@ mod indoor;
 mod lessons;
 mod outings;
 mod paper;
+mod snapshot;
 
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -15,6 +16,7 @@ use super::document::VERSION;
 use super::document::entries::PoseEntries;
 use super::estimator_settings::EstimatorSettings;
 use super::field_settings::FieldSettings;
+use super::localize_settings::LocalizeSettings;
 use super::motion::ProcessNoise;
 use super::noise::RangeNoise;
 use super::placement_settings::PlacementSettings;
@@ -41,7 +43,7 @@ pub struct Preset {
 pub const DEFAULT_PRESET: &str = "room";
 
 /// All presets, in the order in which they are shown.
-pub const PRESETS: [Preset; 15] = [
+pub const PRESETS: [Preset; 17] = [
     Preset {
         name: "room",
         title: "A room",
@@ -148,6 +150,20 @@ pub const PRESETS: [Preset; 15] = [
                   projected orientation back can do harm.",
         build: paper::redrawn,
     },
+    Preset {
+        name: "localization-paper",
+        title: "The localization paper",
+        summary: "The set-up of \"Rigid Body Localization Using Sensor Networks\": ten sensors on a pyramid of \
+                  5 m, four anchors up to 700 m away, one snapshot; fixed at an ordinary draw of anchors.",
+        build: snapshot::fixed,
+    },
+    Preset {
+        name: "localization-paper-redrawn",
+        title: "The localization paper, anchors redrawn",
+        summary: "The same with new anchors in every trial: over all orthogonal matrices some estimates mirror \
+                  the body; over rotations, SO(3), none can, and the bound is met.",
+        build: snapshot::redrawn,
+    },
 ];
 
 impl Preset {
@@ -209,6 +225,7 @@ fn base<const D: usize>(
         availability: AvailabilitySettings::default(),
         field: FieldSettings::default(),
         placement: PlacementSettings::default(),
+        localize: LocalizeSettings::default(),
         view: None,
     }
 }

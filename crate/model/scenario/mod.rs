@@ -16,6 +16,7 @@ use super::document::entries::PoseEntries;
 use super::document::{Written, read, write};
 use super::estimator_settings::EstimatorSettings;
 use super::field_settings::FieldSettings;
+use super::localize_settings::LocalizeSettings;
 use super::motion::ProcessNoise;
 use super::noise::RangeNoise;
 use super::path::PathSettings;
@@ -102,6 +103,9 @@ pub struct Scenario {
     /// What the placement adviser makes small.
     #[serde(default)]
     pub placement: PlacementSettings,
+    /// Which snapshot estimators run, and how.
+    #[serde(default)]
+    pub localize: LocalizeSettings,
     /// Hints of the page (camera, open panels); carried along, never read.
     #[serde(default)]
     #[cfg_attr(feature = "typescript", ts(type = "Record<string, unknown> | null"))]

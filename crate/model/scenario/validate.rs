@@ -49,6 +49,7 @@ pub fn problems(scenario: &Scenario) -> Vec<Problem> {
     availability::check(&mut check, &scenario.availability, anchors, dimension);
     scenario.field.check(&mut check, dimension);
     scenario.placement.check(&mut check, anchors, dimension);
+    scenario.localize.check(&mut check);
     view(&mut check, scenario.view.as_ref());
     check.into_problems()
 }

@@ -53,7 +53,8 @@ export function pictureOf(field: Field, scenario: Scenario, ends: Ends, opacity:
 /** The ends of a scale for these values and no others. */
 export function freshEnds(scenario: Scenario): (values: Float32Array) => Ends {
   const { factor } = unitOf(scenario);
-  return scenario.field.subject === "body" ? (values) => scaleOf(values, factor) : endsOf;
+  const ends = scenario.field.subject === "body" ? scaleOf : endsOf;
+  return (values) => ends(values, factor);
 }
 
 /** What has a scale in common: numbers of one meaning in one scene. */

@@ -1,6 +1,6 @@
 import type { Label, Layer } from "../../scene/input";
 import { lift } from "../../scene/geometry";
-import { gain } from "./next-anchor";
+import { formatValue } from "./placement";
 import type { ExploreRun } from "./run";
 
 /** Where one more anchor helps most. */
@@ -14,6 +14,7 @@ export const nextMark: Layer<ExploreRun> = ({ run, palette }, out) => {
 
 export function nextLabels({ run }: { run: ExploreRun | null }): Label[] {
   if (!run?.next) return [];
-  const text = `best next anchor: ${gain(run.next)}`;
-  return [{ id: "next anchor", at: lift(run.next.point), text, kind: "axis" }];
+  const { point, before, after, unit } = run.next;
+  const text = `best next anchor: ${formatValue(before, unit)} now, ${formatValue(after, unit)} here`;
+  return [{ id: "next anchor", at: lift(point), text, kind: "name" }];
 }

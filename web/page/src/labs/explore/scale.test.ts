@@ -4,7 +4,7 @@ import { scaleOf, SteadyScale } from "./scale";
 test("the scale has round ends around the bounds, and none of the places without one", () => {
   const values = Float32Array.from({ length: 100 }, (_, index) => 0.013 + 0.001 * index);
   const ends = scaleOf(values, 1);
-  expect([ends.low, ends.high].map((end) => Number(end.toPrecision(6)))).toEqual([0.01, 0.2]);
+  expect([ends.low, ends.high].map((end) => Number(end.toPrecision(6)))).toEqual([0.012, 0.12]);
   expect(scaleOf(Float32Array.of(...values, 1e30, 3e30), 1)).toEqual(ends);
 });
 

@@ -1,5 +1,4 @@
 import { UNBOUNDED } from "../../scene/field";
-import { niceBelow } from "../../scene/geometry";
 
 /** Ends of a logarithmic scale in the unit of the values: 0 < low < high. */
 export interface Ends {
@@ -13,6 +12,8 @@ const MOST_VALUES = 4096;
 const SHOWN_SHARE = 0.97;
 /** The ends differ at least by this factor, or rounding would be coloured. */
 const LEAST_RATIO = 1.02;
+/** Round ends differ at least by this one. */
+const LEAST_ROUND_RATIO = 1.5;
 /** Ends stay while the values reach no farther beyond either of them than by this share of the scale as it is drawn, */
 const MOST_BEYOND = 0.1;
 /** and while they take at least this share of it. */
@@ -30,15 +31,23 @@ function spanOf(values: Float32Array): Ends | null {
 export function scaleOf(values: Float32Array, factor: number): Ends {
   const span = spanOf(values);
   if (span === null) return { low: 0.01 / factor, high: 1 / factor };
-  const low = niceBelow(Math.max(span.low * factor, 1e-12));
-  return { low: low / factor, high: niceAbove(Math.max(span.high * factor, 2 * low)) / factor };
+  const low = roundBelow(Math.max(span.low * factor, 1e-12));
+  return {
+    low: low / factor,
+    high: roundAbove(Math.max(span.high * factor, LEAST_ROUND_RATIO * low)) / factor,
+  };
 }
 
 /** The ends of a scale that takes all its colours for the numbers there are: one more anchor often changes little. */
-export function endsOf(values: Float32Array): Ends {
+export function endsOf(values: Float32Array, factor: number): Ends {
   const span = spanOf(values);
   if (span === null) return { low: 0.01, high: 1 };
-  return { low: span.low, high: Math.max(span.high, LEAST_RATIO * span.low) };
+  const least = Math.max(span.low * factor, 1e-12);
+  const most = Math.max(span.high * factor, LEAST_RATIO * least);
+  // The third digit of the larger end, so that numbers beside the scale are short.
+  const step = 10 ** (Math.floor(Math.log10(most)) - 2);
+  const [low, high] = [Math.floor(least / step), Math.ceil(most / step)];
+  return { low: (Math.max(low, 0.1) * step) / factor, high: (high * step) / factor };
 }
 
 /** Whether a scale still shows the values well. */
@@ -65,8 +74,15 @@ export class SteadyScale {
   }
 }
 
-/** Smallest of 1, 2, 5 times a power of ten that is not below `value`. */
-function niceAbove(value: number): number {
-  const below = niceBelow(value);
-  return below >= value ? below : [2, 2.5, 5].map((factor) => below * factor).find((one) => one >= value)!;
+/** First digits of round ends. */
+const ROUND = [1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10];
+
+function roundBelow(value: number): number {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return power * ROUND.findLast((digit) => digit * power <= value * (1 + 1e-12))!;
+}
+
+function roundAbove(value: number): number {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return power * ROUND.find((digit) => digit * power >= value * (1 - 1e-12))!;
 }

@@ -1,12 +1,13 @@
-//! Projection of `Q` onto SO(D) or O(D) in any metric: the step in which the constrained filters differ.
+//! Projection of `Q` onto SO(D) or O(D) in any metric: the step in which constrained estimators differ.
 
 use nalgebra::SMatrix;
 
+use super::block::BlockMatrix;
 use super::newton::newton;
+use super::quadratic::distance;
+use super::rotation::{Manifold, Rotation};
 use super::secular::plane_minimum;
 use crate::error::Result;
-use crate::math::block::BlockMatrix;
-use crate::math::rotation::{Manifold, Rotation};
 
 /// `arg min (q - q_hat)^T W (q - q_hat)` over the manifold, `q = vec(Q)`.
 ///
@@ -21,7 +22,7 @@ use crate::math::rotation::{Manifold, Rotation};
 /// ```
 /// use nalgebra::Matrix3;
 /// use rangelab::math::{block::BlockMatrix, rotation::{Manifold, Rotation}};
-/// use rangelab::track::projection::project_in_metric;
+/// use rangelab::math::projection::project_in_metric;
 /// let q = Matrix3::new(1.1, 0.2, 0.0, -0.1, 0.9, 0.0, 0.0, 0.1, 1.0);
 /// let identity = BlockMatrix::isotropic(1.0, 0.0);
 /// let nearest = project_in_metric(&q, &identity, Manifold::So)?;
@@ -40,17 +41,7 @@ pub fn project_in_metric<const D: usize>(
     // O(D) has a second component, {R J : R in SO(D)} with J mirroring the last axis of the body.
     let mirrored = minimum(&mirror(q), &mirror_metric(metric))?;
     let reflection = Rotation::from_matrix_unchecked(mirror(mirrored.matrix()));
-    Ok(if cost(&reflection, q, metric) < cost(&rotation, q, metric) { reflection } else { rotation })
-}
-
-/// `(q - q_hat)^T W (q - q_hat)`.
-pub(super) fn cost<const D: usize>(
-    rotation: &Rotation<D>,
-    q: &SMatrix<f64, D, D>,
-    metric: &BlockMatrix<D>,
-) -> f64 {
-    let difference = rotation.matrix() - q;
-    difference.dot(&metric.times_orientation(&difference))
+    Ok(if distance(&reflection, q, metric) < distance(&rotation, q, metric) { reflection } else { rotation })
 }
 
 fn minimum<const D: usize>(q: &SMatrix<f64, D, D>, metric: &BlockMatrix<D>) -> Result<Rotation<D>> {
@@ -59,7 +50,7 @@ fn minimum<const D: usize>(q: &SMatrix<f64, D, D>, metric: &BlockMatrix<D>) -> R
         return Ok(plane_minimum(metric, &weighted));
     }
     let starts = [&weighted, q].map(|matrix| Rotation::project(matrix, Manifold::So));
-    let better = usize::from(cost(&starts[1], q, metric) < cost(&starts[0], q, metric));
+    let better = usize::from(distance(&starts[1], q, metric) < distance(&starts[0], q, metric));
     newton(starts[better], q, metric)
 }
 

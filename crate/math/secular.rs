@@ -1,21 +1,18 @@
-//! The global minimum of a quadratic over the rotations of the plane.
+//! Global minima of quadratics on spheres, by the secular equation of their multiplier.
 
 use nalgebra::{Matrix2, SMatrix};
 
-use crate::math::block::BlockMatrix;
-use crate::math::float::sqrt;
-use crate::math::rotation::Rotation;
-use crate::math::singular::singular;
+use super::block::BlockMatrix;
+use super::float::sqrt;
+use super::rotation::Rotation;
+use super::singular::singular;
 
 /// `arg min q^T W q - 2 q^T (W q_hat)` over SO(2); `weighted` is `W q_hat` in the shape of `Q`.
 ///
 /// With `x = (cos, sin)` this is `x^T A x - 2 b^T x` on the unit circle. Its stationary points are the roots of a
 /// quartic in the multiplier; the global minimum is the largest root, the one beyond the least eigenvalue of `-A`, where
 /// `||(A + multiplier)^-1 b|| = 1` is monotone.
-pub(super) fn plane_minimum<const D: usize>(
-    metric: &BlockMatrix<D>,
-    weighted: &SMatrix<f64, D, D>,
-) -> Rotation<D> {
+pub fn plane_minimum<const D: usize>(metric: &BlockMatrix<D>, weighted: &SMatrix<f64, D, D>) -> Rotation<D> {
     let block = |i: usize, j: usize| Matrix2::from_fn(|r, c| metric.block(i, j)[(r, c)]);
     // Column 0 of Q is x, column 1 is J x.
     let turn = Matrix2::new(0.0, -1.0, 1.0, 0.0);
@@ -59,5 +56,38 @@ fn circle_minimum(gap: f64, beta: [f64; 2]) -> [f64; 2] {
             return y;
         }
         mu = next;
+    }
+}
+
+/// `arg min sum_i values_i y_i^2 - 2 beta_i y_i` on the sphere `||y|| = radius`, values non-negative (Gander's LSQE).
+///
+/// `y_i = beta_i/(values_i + mu)` with the one `mu > -min(values)` that gives it its length; where none does (the hard case)
+/// the rest of the length is given to the least value's direction.
+pub fn sphere_minimum<const N: usize>(values: &[f64; N], beta: &[f64; N], radius: f64) -> [f64; N] {
+    let least = (0..N).fold(0, |best, i| if values[i] < values[best] { i } else { best });
+    let gap: [f64; N] = core::array::from_fn(|i| values[i] - values[least]);
+    let scale = beta.iter().fold(0.0, |largest: f64, b| largest.max(b.abs()));
+    let at = |nu: f64| -> [f64; N] { core::array::from_fn(|i| beta[i] / (gap[i] + nu)) };
+    // Each coordinate alone must not be longer than the sphere allows: the root is beyond this.
+    let mut nu = (0..N).fold(0.0, |nu: f64, i| nu.max(beta[i].abs() / radius - gap[i]));
+    if nu <= f64::EPSILON * scale / radius {
+        let mut y: [f64; N] = core::array::from_fn(|i| if gap[i] > 0.0 { beta[i] / gap[i] } else { 0.0 });
+        y[least] = 0.0;
+        let rest = radius * radius - y.iter().map(|y| y * y).sum::<f64>();
+        if rest >= 0.0 {
+            y[least] = sqrt(rest).copysign(beta[least]);
+            return y;
+        }
+        nu = f64::EPSILON * scale / radius;
+    }
+    loop {
+        let y = at(nu);
+        let squared: f64 = y.iter().map(|y| y * y).sum();
+        let slope = (0..N).map(|i| y[i] * y[i] / (gap[i] + nu)).sum::<f64>() / squared;
+        let next = nu + (sqrt(squared) / radius - 1.0) / slope;
+        if !(next > nu) {
+            return y;
+        }
+        nu = next;
     }
 }
