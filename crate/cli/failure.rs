@@ -16,6 +16,11 @@ pub enum Failure {
     Usage(String),
     /// Anything else; exit code 1.
     Other(String),
+    /// Ctrl-C; exit code 130, as shells give it.
+    Cancelled {
+        /// How far it had come.
+        percent: usize,
+    },
     /// Whoever read the output has seen enough; no error.
     ReaderGone,
 }
@@ -42,13 +47,14 @@ impl Failure {
 
     /// Prints the sentence, if there is one, and gives the exit code.
     pub fn report(&self) -> ExitCode {
-        let (sentence, code) = match self {
-            Self::Usage(sentence) => (sentence, 2),
-            Self::Other(sentence) => (sentence, 1),
+        let code = match self {
+            Self::Usage(_) => 2,
+            Self::Other(_) => 1,
+            Self::Cancelled { .. } => 130,
             Self::ReaderGone => return ExitCode::SUCCESS,
         };
         // If stderr is closed too, the exit code is all that is left to say.
-        let _ = writeln!(io::stderr(), "rangelab: {sentence}");
+        let _ = writeln!(io::stderr(), "rangelab: {self}");
         ExitCode::from(code)
     }
 }
@@ -57,6 +63,7 @@ impl Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Usage(sentence) | Self::Other(sentence) => f.write_str(sentence),
+            Self::Cancelled { percent } => write!(f, "cancelled at {percent} %, nothing is written"),
             Self::ReaderGone => f.write_str("the reader of the output is gone"),
         }
     }

@@ -4,15 +4,20 @@ mod choices;
 mod estimate;
 mod failure;
 mod field;
+mod figure;
 mod input;
+mod localize;
 mod output;
+mod picture;
 mod place;
 mod presets;
 mod progress;
 mod run;
 mod simulate;
 mod study;
+mod text;
 mod validate;
+mod workers;
 
 use clap::{Parser, Subcommand};
 
@@ -24,6 +29,7 @@ const EXAMPLES: &str = "\
 Examples:
   rangelab presets                               what is there to try
   rangelab study tracking-paper --trials 1000    errors, bounds and their ratios over many trials
+  rangelab figure tracking-2 -o figure.svg       a figure of a paper, with what holds of it
   rangelab place room -o better.json             where the anchors should stand
   rangelab run room --format csv -o run.csv      one trial, every step of every estimator
   rangelab field room --format png -o field.png  the bound as a landscape
@@ -47,7 +53,9 @@ pub enum Command {
     Run(run::RunCommand),
     Simulate(simulate::SimulateCommand),
     Estimate(estimate::EstimateCommand),
+    Localize(localize::LocalizeCommand),
     Study(study::StudyCommand),
+    Figure(figure::FigureCommand),
     Field(field::FieldCommand),
     Place(place::PlaceCommand),
     Presets(presets::PresetsCommand),
@@ -61,7 +69,9 @@ impl Command {
             Self::Run(command) => command.execute(),
             Self::Simulate(command) => command.execute(),
             Self::Estimate(command) => command.execute(),
+            Self::Localize(command) => command.execute(),
             Self::Study(command) => command.execute(),
+            Self::Figure(command) => command.execute(),
             Self::Field(command) => command.execute(),
             Self::Place(command) => command.execute(),
             Self::Presets(command) => command.execute(),

@@ -27,6 +27,11 @@ pub enum RunFormat {
 }
 
 impl Output {
+    /// How the name of the file ends, if there is one.
+    pub fn extension(&self) -> Option<&str> {
+        self.output.as_ref()?.extension()?.to_str()
+    }
+
     /// Writes a text that ends with a line feed, which is added where it is missing.
     pub fn write(&self, text: &str) -> Result<(), Failure> {
         self.output.as_ref().map_or_else(|| print(text), |path| save(path, text))

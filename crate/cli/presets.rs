@@ -5,6 +5,7 @@ use rangelab::model::presets::{PRESETS, preset};
 
 use super::failure::Failure;
 use super::output::Output;
+use super::text::wrapped;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -44,15 +45,4 @@ fn list() -> String {
         lines.iter().fold(first, |entry, line| entry + &format!("{:width$}  {line}\n", ""))
     });
     entries.collect::<Vec<_>>().join("\n")
-}
-
-fn wrapped(text: &str, width: usize) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    for word in text.split_whitespace() {
-        match lines.last_mut() {
-            Some(line) if line.len() + 1 + word.len() <= width => line.extend([" ", word]),
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines
 }

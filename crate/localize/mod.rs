@@ -25,7 +25,7 @@ use alloc::vec::Vec;
 
 use nalgebra::SVector;
 
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::math::pose::Theta;
 use crate::math::rotation::determinant;
 use crate::model::localize_settings::{LocalizeSettings, LocalizerName};
@@ -102,7 +102,7 @@ pub fn localize<const D: usize>(
 ) -> Result<Estimate<D>> {
     let manifold = settings.manifold;
     let total = |sigma: f64| optimal::optimal(snapshot, sigma, manifold, settings.multi_start);
-    match name {
+    let found = match name {
         LocalizerName::ClassicalLs => least_squares::classical(snapshot),
         LocalizerName::Ls => least_squares::least_squares(snapshot),
         LocalizerName::SucLs | LocalizerName::SucTls => simplified::simplified(snapshot, manifold),
@@ -112,5 +112,12 @@ pub fn localize<const D: usize>(
         LocalizerName::OucTls => total(settings.tls_sigma.unwrap_or(mounting_sigma)),
         LocalizerName::GaussNewton => maximum_likelihood::gauss_newton(snapshot),
         LocalizerName::MaximumLikelihood => maximum_likelihood::maximum_likelihood(snapshot, settings.loss),
-    }
+    };
+    // An estimator that starts from another one fails under its own name.
+    found.map_err(|error| match error {
+        Error::Unobservable { ranges, reason, .. } => {
+            Error::Unobservable { what: name.label(), ranges, reason }
+        }
+        other => other,
+    })
 }

@@ -2,8 +2,10 @@
 
 pub mod block;
 mod bound_tally;
+mod digits;
 pub mod error;
 pub mod exploration;
+pub mod figures;
 mod flat;
 pub mod localization;
 pub mod moments;

@@ -2,6 +2,8 @@
 
 mod command;
 mod field;
+mod figure;
+mod localize;
 mod place;
 mod refusals;
 

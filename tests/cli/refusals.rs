@@ -135,6 +135,7 @@ fn help_names_every_option_and_its_examples_work() {
             "field",
             "--plane --height --heading-deg --offset --quantity --form --headings --limit --resolution --at --format --output",
         ),
+        ("figure", "[NAME] --trials --seed --threads --format --output"),
         ("place", "--restarts --threads --criterion --target --over --output --seed"),
         ("presets", "--output [NAME]"),
         ("validate", "--format --output <FILE>"),

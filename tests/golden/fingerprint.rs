@@ -1,4 +1,5 @@
 //! A short fingerprint of every number of a run, the same natively and in the browser only if every bit is.
+#![allow(dead_code, reason = "each module's test uses its own part")]
 
 use rangelab::bounds::field::{Field, FieldLayout, layout_of};
 use rangelab::math::rotation::Manifold;
@@ -152,7 +153,7 @@ pub fn snapshot_fingerprints() -> String {
         scenario.localize.manifold = Manifold::O;
         let study = LocalizationStudy::new(&scenario, noises.to_vec(), 7).unwrap();
         line(&format!("snapshot of {name}"), |hash| {
-            hash.bytes(serde_json::to_string(&run).unwrap().as_bytes())
+            hash.bytes(serde_json::to_string(&run).unwrap().as_bytes());
         }) + &line(&format!("localization of {name}"), |hash| {
             hash.numbers(&study.block(0).unwrap().to_numbers());
         })

@@ -115,12 +115,13 @@ fn as_many_anchors_as_dimensions() {
     check(&anchors, &sensors, pose, |_, _| false, expected);
 }
 
-/// Of the two poses on both sides of the anchors' plane maximum likelihood takes one that fits, here the right one: the other
-/// would mirror the body.
+/// Of the two sides of the anchors' plane the body fits only one, for on the other it would be mirrored; where the descent from
+/// both starts ends in a pose that does not fit, the misfit shows it.
 #[test]
 fn three_anchors_are_enough_for_the_ranges_themselves() {
     let mut sampler = Sampler::new(551);
-    for _ in 0..50 {
+    let (mut right, mut trials) = (0, 0);
+    for _ in 0..100 {
         let anchors = sampler.anchors::<3>(3, 8.0);
         let topology = sampler.topology::<3>(5, true);
         let noise = RangeNoise::Range { sigma: 0.01 };
@@ -128,20 +129,21 @@ fn three_anchors_are_enough_for_the_ranges_themselves() {
         let truth = sampler.pose::<3>(3.0);
         let ranges = model.exact_ranges(&Theta::from(truth)).unwrap();
         let snapshot = Snapshot::new(&model, &ranges, &ranges).unwrap();
-        let found = localize(Name::MaximumLikelihood, &snapshot, &LocalizeSettings::default(), 0.0);
-        let Ok(found) = found else { continue };
+        let found = localize(Name::MaximumLikelihood, &snapshot, &LocalizeSettings::default(), 0.0).unwrap();
         let theta = found.theta.unwrap();
         let fit = model.exact_ranges(&theta).unwrap();
-        let misfit = (0..5)
-            .flat_map(|n| (0..3).map(move |m| (m, n)))
-            .map(|(m, n)| (fit.get(m, n).unwrap().sqrt() - ranges.get(m, n).unwrap().sqrt()).abs())
-            .fold(0.0, f64::max);
-        let error = (theta.position - truth.position).norm();
-        assert!(
-            misfit > 1e-6 || error < 1e-4 || theta.orientation != *truth.rotation.matrix(),
-            "{misfit} {error}"
-        );
+        let pairs = (0..5).flat_map(|n| (0..3).map(move |m| (m, n)));
+        let misfit =
+            pairs.map(|(m, n)| (fit.get(m, n).unwrap().sqrt() - ranges.get(m, n).unwrap().sqrt()).abs());
+        let error = theta.minus(&truth.into());
+        let fits = misfit.fold(0.0, f64::max) < 1e-6;
+        let is_right = error.position.norm() + error.orientation.norm() < 1e-4;
+        assert!(is_right || !fits, "fits, and is off by {}", error.position.norm());
+        trials += 1;
+        right += usize::from(is_right);
     }
+    println!("right in {right} of {trials} scenes");
+    assert!(10 * right >= 9 * trials, "right in {right} of {trials} scenes only");
 }
 
 #[test]

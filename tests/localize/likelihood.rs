@@ -95,7 +95,7 @@ fn one_wrong_range_does_not_move_the_robust_fit<const D: usize>() {
         let all = scene.ranges.clone();
         // 2 m too long: a path around a corner.
         let wrong = |m: usize, n: usize| {
-            all.get(m, n).map(|d| if (m, n) == (1, 1) { (d.sqrt() + 2.0).powi(2) } else { d })
+            all.get(m, n).map(|d| if (m, n) == (1, 1) { d + 4.0 * d.sqrt() + 4.0 } else { d })
         };
         scene.ranges = Ranges::from_fn(all.anchors(), all.sensors(), wrong).unwrap();
         plain += error(&scene, Loss::Squared);

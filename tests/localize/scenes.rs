@@ -28,7 +28,7 @@ impl<const D: usize> Scene<D> {
         if index % 3 == 2 {
             let lost = sampler.below(D + 2);
             let all = scene.ranges.clone();
-            let kept = |m: usize, n: usize| all.get(m, n).filter(|_| n % 2 == 0 || m != lost);
+            let kept = |m: usize, n: usize| all.get(m, n).filter(|_| n.is_multiple_of(2) || m != lost);
             scene.ranges = Ranges::from_fn(all.anchors(), all.sensors(), kept).unwrap();
         }
         scene

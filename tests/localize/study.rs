@@ -101,6 +101,7 @@ fn one_trial_is_a_document_without_gaps() {
 #[test]
 #[ignore = "a timing, for a release build"]
 fn full_size_run() {
+    #[allow(clippy::disallowed_methods, reason = "a timing needs a clock")]
     let run = |enabled: Vec<Name>, trials: usize| {
         let mut scenario = preset("localization-paper").unwrap();
         scenario.localize.enabled = enabled;

@@ -41,6 +41,8 @@ fn golden(name: &str) -> &'static str {
         "wide-prior" => include_str!("../golden/wide-prior.txt"),
         "tracking-paper" => include_str!("../golden/tracking-paper.txt"),
         "tracking-paper-redrawn" => include_str!("../golden/tracking-paper-redrawn.txt"),
+        "localization-paper" => include_str!("../golden/localization-paper.txt"),
+        "localization-paper-redrawn" => include_str!("../golden/localization-paper-redrawn.txt"),
         other => panic!("the preset {other} has no golden file here"),
     }
 }

@@ -9,7 +9,7 @@ use rangelab::model::scenario::Scenario;
 use rangelab::place::{NextPlace, best_next, field_rows};
 use rangelab::with_dimension;
 
-use super::picture::scale::short;
+use crate::cli::picture::scale::short;
 
 pub struct Grid {
     pub scenario: Scenario,

@@ -2,12 +2,7 @@
 
 mod columns;
 mod comparison;
-mod digits;
 mod table;
-mod workers;
-
-use std::num::NonZero;
-use std::thread::available_parallelism;
 
 use clap::{Args, ValueEnum};
 use rangelab::model::scenario::Scenario;
@@ -18,7 +13,7 @@ use super::choices::Choices;
 use super::failure::Failure;
 use super::input::ScenarioInput;
 use super::output::Output;
-use super::progress::progress;
+use super::workers::{Jobs, Threads};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -43,9 +38,8 @@ pub struct StudyCommand {
     #[arg(long, value_name = "COUNT", default_value_t = 1000)]
     trials: usize,
 
-    /// Number of threads [default: one for each processor]
-    #[arg(long, value_name = "COUNT")]
-    threads: Option<NonZero<usize>>,
+    #[command(flatten)]
+    threads: Threads,
 
     #[command(flatten)]
     choices: Choices,
@@ -73,7 +67,7 @@ impl StudyCommand {
     pub fn execute(&self) -> Result<(), Failure> {
         let scenario = self.scenario.scenario(|scenario| self.choices.apply(&mut scenario.estimators))?;
         let steps = self.steps(scenario.steps)?;
-        let report = self.study(&scenario).map_err(|error| Failure::about(self.scenario.name(), &error))?;
+        let report = self.study(&scenario)?;
         self.output.write(&match self.format {
             StudyFormat::Table => table::table(&report, &steps),
             StudyFormat::Csv => columns::csv(&report),
@@ -83,13 +77,17 @@ impl StudyCommand {
         })
     }
 
-    fn study(&self, scenario: &Scenario) -> rangelab::Result<StudyReport> {
-        let threads = self.threads.or(available_parallelism().ok()).map_or(1, NonZero::get);
-        let study = MonteCarlo::new(scenario, self.trials)?;
-        let bar = progress(study.blocks());
-        let total = workers::run(&study, threads, |blocks| bar.set_position(blocks as u64));
-        bar.finish_and_clear();
-        Ok(study.report(&total?))
+    fn study(&self, scenario: &Scenario) -> Result<StudyReport, Failure> {
+        let about = |error| Failure::about(self.scenario.name(), &error);
+        let study = MonteCarlo::new(scenario, self.trials).map_err(about)?;
+        let mut total = study.start();
+        let jobs = Jobs {
+            count: study.blocks(),
+            job: |index| study.block(index),
+            merge: |block| total.merge(&block),
+        };
+        jobs.run(self.scenario.name(), self.threads.count())?;
+        Ok(study.report(&total))
     }
 
     /// The steps of the table.

@@ -8,7 +8,6 @@ use rangelab::study::report::{EstimatorReport, StudyReport};
 use rangelab::study::tally::Summary;
 
 use super::comparison::{bound, bound_of};
-use super::digits::with_error;
 
 const HEADER: [&str; 11] = [
     "",
@@ -79,13 +78,13 @@ fn estimator_row(report: &StudyReport, estimator: &EstimatorReport, step: usize)
     let over = |of: Estimate, by: Option<Estimate>| optional(by.and_then(|by| of.over(by)));
     vec![
         estimator.label.clone(),
-        with_error(summary.rmse_orientation),
+        summary.rmse_orientation.to_string(),
         over(summary.rmse_orientation, bound.map(|bound| bound.orientation)),
-        with_error(degrees(summary.rms_angle)),
-        with_error(summary.rmse_position),
+        degrees(summary.rms_angle).to_string(),
+        summary.rmse_position.to_string(),
         over(summary.rmse_position, bound.map(|bound| bound.position)),
         over(summary.rmse_orientation, Some(summary.claimed_orientation)),
-        with_error(summary.nees),
+        summary.nees.to_string(),
         rate(estimator, |summary| summary.event_rate, step),
         rate(estimator, |summary| summary.reflection_rate, step),
         failed,
@@ -96,16 +95,16 @@ fn bound_row(report: &StudyReport, kind: BoundKind, step: usize) -> Option<Row> 
     let bound = bound(report, kind, step)?;
     let mut row = vec![String::new(); HEADER.len()];
     kind.name().clone_into(&mut row[0]);
-    row[1] = with_error(bound.orientation);
-    row[3] = with_error(degrees(bound.angle));
-    row[4] = with_error(bound.position);
+    row[1] = bound.orientation.to_string();
+    row[3] = degrees(bound.angle).to_string();
+    row[4] = bound.position.to_string();
     Some(row)
 }
 
 /// A share of the trials; left empty for an estimator for which it is 0 in every step, as it never happens.
 fn rate(estimator: &EstimatorReport, of: fn(&Summary) -> Estimate, step: usize) -> String {
     let happens = estimator.steps.iter().any(|summary| of(summary).value > 0.0);
-    if happens { with_error(of(&estimator.steps[step])) } else { String::new() }
+    if happens { of(&estimator.steps[step]).to_string() } else { String::new() }
 }
 
 fn degrees(angle: Estimate) -> Estimate {
@@ -113,7 +112,7 @@ fn degrees(angle: Estimate) -> Estimate {
 }
 
 fn optional(estimate: Option<Estimate>) -> String {
-    estimate.map(with_error).unwrap_or_default()
+    estimate.map(|estimate| estimate.to_string()).unwrap_or_default()
 }
 
 fn width(sections: &[Vec<Row>], column: usize) -> usize {

@@ -45,7 +45,7 @@ pub fn fixed() -> Scenario {
         angular_velocity: vec![0.0; 3],
         ..MotionSettings::default()
     };
-    Scenario { steps: 1, start, initial, motion: still, ..scenario }
+    Scenario { start, initial, motion: still, ..scenario }
 }
 
 pub fn redrawn() -> Scenario {

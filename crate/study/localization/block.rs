@@ -92,12 +92,17 @@ impl LocalizationBlock {
             let what = "trials before the block that is appended";
             return Err(Error::Size { what, found: next.first, expected });
         }
+        self.append(next);
+        Ok(())
+    }
+
+    /// Appends other trials, whichever they are.
+    pub(in super::super) fn append(&mut self, next: &Self) {
         self.trials += next.trials;
         let mine = self.estimators.iter_mut().flatten();
         mine.zip(next.estimators.iter().flatten()).for_each(|(tally, next)| tally.merge(next));
         let mine = self.bounds.iter_mut().flatten();
         mine.zip(next.bounds.iter().flatten()).for_each(|(tally, next)| tally.merge(next));
-        Ok(())
     }
 
     /// Trials counted so far.

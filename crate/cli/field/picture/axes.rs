@@ -2,11 +2,11 @@
 
 use rangelab::model::field_settings::FieldPlane;
 
-use super::canvas::{Canvas, Frame, LINE, text_width};
 use super::colours::INK;
-use super::scale::{short, ticks};
 use super::{dot, length};
 use crate::cli::field::grid::Grid;
+use crate::cli::picture::canvas::{Canvas, Frame, LINE, text_width};
+use crate::cli::picture::scale::{short, ticks};
 
 const TICK: usize = 6;
 

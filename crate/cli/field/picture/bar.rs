@@ -1,8 +1,8 @@
 //! The colour bar.
 
-use super::canvas::{Canvas, Frame, LINE};
 use super::colours::{INK, colour_at};
-use super::scale::{Scale, short};
+use crate::cli::picture::canvas::{Canvas, Frame, LINE};
+use crate::cli::picture::scale::{Scale, short};
 
 const GAP: usize = 24;
 const WIDTH: usize = 20;

@@ -1,6 +1,7 @@
 //! The colours of a field, those of the page's light theme.
 
-use super::canvas::{Colour, mixed};
+use crate::cli::picture::canvas::{Colour, mixed};
+pub use crate::cli::picture::colours::{INK, PAPER};
 
 /// Viridis (S. van der Walt and N. Smith, 2015, CC0) at sixteen even places.
 const STOPS: [Colour; 16] = [
@@ -21,8 +22,6 @@ const STOPS: [Colour; 16] = [
     [0xd2, 0xe2, 0x1b],
     [0xfd, 0xe7, 0x25],
 ];
-pub const INK: Colour = [0x16, 0x19, 0x1f];
-pub const PAPER: Colour = [0xff, 0xff, 0xff];
 pub const NO_BOUND: Colour = [0xc9, 0xce, 0xd6];
 
 /// Pixels from one line of a hatch to the next.
@@ -32,7 +31,7 @@ const HATCH: usize = 8;
 pub fn colour_at(place: f64) -> Colour {
     let last = STOPS.len() - 1;
     let along = place.clamp(0.0, 1.0) * last as f64;
-    let stop = super::canvas::cell(place, last);
+    let stop = crate::cli::picture::canvas::cell(place, last);
     mixed(STOPS[stop], STOPS[stop + 1], along - stop as f64)
 }
 

@@ -1,9 +1,9 @@
 //! The field itself: colours, hatches and contour lines.
 
-use super::canvas::{Canvas, Frame, LINE, cell, text_width};
 use super::colours::{INK, NO_BOUND, PAPER, colour_at, cross_hatched, hatched, ink_on};
-use super::scale::{Scale, short};
 use crate::cli::field::grid::Grid;
+use crate::cli::picture::canvas::{Canvas, Frame, LINE, cell, text_width};
+use crate::cli::picture::scale::{Scale, short};
 use rangelab::math::float::{exp, log};
 
 /// A contour line with fewer pixels gets no number.

@@ -1,10 +1,10 @@
 //! What the marks and hatches mean.
 
-use super::canvas::{Canvas, Colour, Frame, LINE, text_width};
 use super::colours::{INK, NO_BOUND, PAPER, cross_hatched, hatched};
-use super::scale::short;
 use super::{marks, obstacles};
 use crate::cli::field::grid::Grid;
+use crate::cli::picture::canvas::{Canvas, Colour, Frame, LINE, text_width};
+use crate::cli::picture::scale::short;
 
 const SWATCH: usize = 24;
 const GAP: usize = 20;

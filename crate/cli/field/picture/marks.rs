@@ -1,8 +1,8 @@
 //! Anchors and body, seen along the normal of the plane.
 
-use super::canvas::{Canvas, Frame, LINE, text_width};
 use super::colours::{INK, PAPER};
 use crate::cli::field::grid::{Grid, lifted};
+use crate::cli::picture::canvas::{Canvas, Frame, LINE, text_width};
 
 /// Half of the height of an anchor's box, pixels.
 const HALF: usize = LINE / 2 + 1;

@@ -2,22 +2,20 @@
 
 mod axes;
 mod bar;
-mod canvas;
 mod colours;
 mod landscape;
 mod legend;
 mod marks;
 mod obstacles;
-pub mod scale;
 
 use std::fmt::Display;
 
 use super::grid::Grid;
 use crate::cli::failure::Failure;
-use canvas::{Canvas, Frame};
+use crate::cli::picture::canvas::{Canvas, Frame, cell};
+use crate::cli::picture::scale::Scale;
 use colours::{INK, PAPER};
 use rangelab::math::float::sqrt;
-use scale::Scale;
 
 /// The longer edge of the field in pixels.
 const EDGE: usize = 640;
@@ -32,13 +30,13 @@ const LEAST_WIDTH: usize = 800;
 
 /// The picture as a PNG file; the chunk `Scenario` (iTXt) holds the scenario as JSON.
 pub fn png(grid: &Grid) -> Result<Vec<u8>, Failure> {
-    let canvas = draw(grid);
-    encode(&canvas, grid).map_err(unwritten)
+    let texts = [("Title", grid.title()), ("Scenario", grid.scenario.to_json())];
+    draw(grid).png(&texts).map_err(unwritten)
 }
 
 fn draw(grid: &Grid) -> Canvas {
     let [across, up] = [grid.layout.u, grid.layout.v].map(|edge| length(&edge));
-    let pixels = |edge: f64| canvas::cell(edge / across.max(up), EDGE) + 1;
+    let pixels = |edge: f64| cell(edge / across.max(up), EDGE) + 1;
     let frame = Frame { left: LEFT, top: TOP, width: pixels(across), height: pixels(up) };
     let mut canvas =
         Canvas::new((frame.right() + RIGHT).max(LEAST_WIDTH), frame.bottom() + bottom(grid), PAPER);
@@ -66,20 +64,6 @@ fn bottom(grid: &Grid) -> usize {
 fn place(grid: &Grid, point: [f64; 3]) -> [f64; 2] {
     let from_corner = core::array::from_fn(|i| point[i] - grid.layout.corner[i]);
     [grid.layout.u, grid.layout.v].map(|edge| dot(&from_corner, &edge) / dot(&edge, &edge))
-}
-
-fn encode(canvas: &Canvas, grid: &Grid) -> Result<Vec<u8>, png::EncodingError> {
-    let side = |pixels: usize| u32::try_from(pixels).map_err(|_| png::EncodingError::LimitsExceeded);
-    let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, side(canvas.width)?, side(canvas.height)?);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    encoder.add_itxt_chunk("Title".to_owned(), grid.title())?;
-    encoder.add_itxt_chunk("Scenario".to_owned(), grid.scenario.to_json())?;
-    let mut writer = encoder.write_header()?;
-    writer.write_image_data(canvas.bytes())?;
-    writer.finish()?;
-    Ok(bytes)
 }
 
 fn unwritten(error: impl Display) -> Failure {

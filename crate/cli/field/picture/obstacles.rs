@@ -8,9 +8,9 @@ use rangelab::model::field_settings::FieldPlane;
 use rangelab::model::placement_settings::Region;
 use rangelab::with_dimension;
 
-use super::canvas::{Canvas, Frame, Stroke};
 use super::{cross, dot, place};
 use crate::cli::field::grid::{Grid, lifted};
+use crate::cli::picture::canvas::{Canvas, Frame, Stroke};
 
 /// Through the plane, above or below it, and a zone that keeps anchors out.
 pub const CROSSING: Stroke = Stroke { half: 1, dash: None };

@@ -68,9 +68,20 @@ impl Canvas {
         Self { width, height, pixels: vec![ground; width * height] }
     }
 
-    /// Row by row, three bytes each.
-    pub fn bytes(&self) -> &[u8] {
-        self.pixels.as_flattened()
+    /// A PNG file with texts (iTXt) by keyword.
+    pub fn png(&self, texts: &[(&str, String)]) -> Result<Vec<u8>, png::EncodingError> {
+        let side = |pixels: usize| u32::try_from(pixels).map_err(|_| png::EncodingError::LimitsExceeded);
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, side(self.width)?, side(self.height)?);
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_depth(png::BitDepth::Eight);
+        for (keyword, text) in texts {
+            encoder.add_itxt_chunk((*keyword).to_owned(), text.clone())?;
+        }
+        let mut writer = encoder.write_header()?;
+        writer.write_image_data(self.pixels.as_flattened())?;
+        writer.finish()?;
+        Ok(bytes)
     }
 
     /// What is outside is cut off.

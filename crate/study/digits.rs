@@ -1,19 +1,34 @@
-//! Numbers for people: as many digits as their standard error allows.
+//! A number with its standard error, with as many digits as it deserves.
 
-use rangelab::study::moments::Estimate;
+use alloc::format;
+use alloc::string::{String, ToString};
+use core::fmt;
 
-/// Digits shown of a standard error, and the first digits of a number that is known better than that.
+use super::moments::Estimate;
+
+/// Digits of a standard error; a number is not known better than that.
 const ERROR_DIGITS: i32 = 2;
 const EXACT_DIGITS: i32 = 4;
 /// Most digits after the point; beyond, an exponent is easier to read.
 const MOST_DECIMALS: i32 = 7;
 
-/// `value ± standard error`, the error with two digits; the value alone where the error does not reach its first four.
-pub fn with_error(estimate: Estimate) -> String {
+impl fmt::Display for Estimate {
+    /// `value ± standard error`, the error with two digits; the value alone where the error does not reach its first four.
+    ///
+    /// ```
+    /// use rangelab::study::moments::Estimate;
+    /// assert_eq!(Estimate { value: 0.11596, standard_error: 0.00213 }.to_string(), "0.1160 ± 0.0021");
+    /// ```
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&with_error(*self))
+    }
+}
+
+fn with_error(estimate: Estimate) -> String {
     let Estimate { value, standard_error } = estimate;
     let first_digits = decimals(value, EXACT_DIGITS).filter(|_| value.abs() < 1e6);
     match (first_digits, decimals(standard_error, ERROR_DIGITS)) {
-        _ if value == 0.0 && standard_error == 0.0 => "0".to_owned(),
+        _ if value == 0.0 && standard_error == 0.0 => "0".to_string(),
         (Some(digits), _) if rounds_to_zero(standard_error, digits) => format!("{value:.digits$}"),
         (Some(_), Some(digits)) => format!("{value:.digits$} ± {standard_error:.digits$}"),
         _ if standard_error < 5e-4 * value.abs() => format!("{value:.3e}"),
@@ -36,11 +51,13 @@ fn decimals(value: f64, digits: i32) -> Option<usize> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Estimate, with_error};
+    use alloc::string::ToString;
+
+    use super::Estimate;
 
     #[test]
     fn the_standard_error_decides_the_digits() {
-        let shown = |value, standard_error| with_error(Estimate { value, standard_error });
+        let shown = |value, standard_error| Estimate { value, standard_error }.to_string();
         assert_eq!(shown(0.115_96, 0.002_13), "0.1160 ± 0.0021");
         assert_eq!(shown(0.115_96, 0.000_996), "0.1160 ± 0.0010");
         assert_eq!(shown(2.0, 0.25), "2.00 ± 0.25");
