@@ -1,7 +1,6 @@
 //! The module of the lab Explore, in a browser: the same bits as the native library.
 #![cfg(target_arch = "wasm32")]
 
-#[allow(dead_code, reason = "this module gives geometry only")]
 #[path = "../golden/fingerprint.rs"]
 mod fingerprint;
 

@@ -1,7 +1,6 @@
 //! The module that the page starts with, in a browser: the same bits as the native library, errors as sentences.
 #![cfg(target_arch = "wasm32")]
 
-#[allow(dead_code, reason = "this module gives runs and studies only")]
 #[path = "../golden/fingerprint.rs"]
 mod fingerprint;
 
