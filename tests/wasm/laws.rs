@@ -7,7 +7,6 @@ wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_browser);
 #[path = "../support/mod.rs"]
 mod support;
 
-#[allow(dead_code, reason = "the page's own tests use the rest")]
 #[path = "../golden/fingerprint.rs"]
 mod fingerprint;
 #[path = "../golden/indoor.rs"]
