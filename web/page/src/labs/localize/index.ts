@@ -23,7 +23,7 @@ export const lab: Lab<LocalizeRun> = {
   firstPreset: "localization-paper",
   compute: runOf,
   shows: "Anchors, body and clouds of its estimates in space",
-  layers: [ground, ranges, clouds, body, estimates, mirrored, anchors],
+  layers: [ground, ranges, body, estimates, mirrored, clouds, anchors],
   labels: (input) => [
     ...anchorLabels(input),
     ...(input.run ? axisLabels(input, input.run) : []),

@@ -67,10 +67,10 @@ export const estimates: Layer<LocalizeRun> = (input, out) => {
   run.estimates.forEach(({ estimate, pose }, index) => {
     const { token, mark } = lookOf(estimate.name);
     // Estimates that agree lie on each other: earlier ones are drawn wider and show as rims.
-    const rim = 0.5 * (run.estimates.length - 1 - index);
-    outline(input, pose, token, 1.5 + rim, estimate.reflected ? 6 : 0, out);
+    const rim = 0.3 * (run.estimates.length - 1 - index);
+    outline(input, pose, token, 1.25 + rim, estimate.reflected ? 6 : 0, out);
     const centre = drawnPosition(run, pose, 0, frame.magnification);
-    out.point(centre, 4.5 + rim, palette.rgba(token), mark);
+    out.point(centre, 4 + rim, palette.rgba(token), mark);
   });
 };
 

@@ -17,12 +17,12 @@ export const LOCALIZERS: readonly Localizer[] = [
   {
     name: "classical-ls",
     label: "classical LS",
-    meaning: "each sensor by itself",
+    meaning: "sensor by sensor",
     token: "eskf-raw",
     mark: "cross",
   },
   { name: "ls", label: "LS", meaning: "any matrix Q", token: "kf", mark: "ring" },
-  { name: "suc-ls", label: "SUC-LS", meaning: "positions, then rotation", token: "ortho", mark: "square" },
+  { name: "suc-ls", label: "SUC-LS", meaning: "positions, then Q", token: "ortho", mark: "square" },
   {
     name: "suc-ls-weighted",
     label: "weighted SUC-LS",
@@ -34,7 +34,7 @@ export const LOCALIZERS: readonly Localizer[] = [
   { name: "suc-tls", label: "SUC-TLS", meaning: "equals SUC-LS", token: "ortho", mark: "square" },
   {
     name: "ouc-tls-printed",
-    label: "OUC-TLS as printed",
+    label: "printed OUC-TLS",
     meaning: "σ_e = 1 m",
     token: "et-kf",
     mark: "diamond",
@@ -50,7 +50,7 @@ export const LOCALIZERS: readonly Localizer[] = [
   {
     name: "maximum-likelihood",
     label: "ML",
-    meaning: "on the ranges themselves",
+    meaning: "on the ranges",
     token: "eskf-raw",
     mark: "disc",
   },

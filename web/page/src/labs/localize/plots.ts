@@ -18,6 +18,8 @@ interface Figure {
   readonly scale: ScaleKind;
   readonly factor: number;
   readonly note?: string;
+  /** False: its standard errors are no band around it. */
+  readonly spread?: boolean;
   of(summary: SnapshotSummary): Estimate | null;
   bound?(summary: SnapshotBoundSummary): Estimate | null;
 }
@@ -54,26 +56,6 @@ const FIGURES: readonly Figure[] = [
     bound: (summary) => summary.orientation,
   },
   {
-    name: "localize-sensors",
-    title: "RMSE of all sensors",
-    shortTitle: "Sensors",
-    unit: "m",
-    scale: "log",
-    factor: 1,
-    of: (summary) => summary.rmse_sensors,
-    bound: (summary) => summary.sensors,
-  },
-  {
-    name: "localize-bias-q",
-    title: "Bias of Q",
-    shortTitle: "Bias",
-    unit: "",
-    scale: "log",
-    factor: 1,
-    note: "Bands: what chance alone gives an unbiased estimate.",
-    of: (summary) => summary.bias_orientation,
-  },
-  {
     name: "localize-reflections",
     title: "Mirrored bodies",
     shortTitle: "Reflections",
@@ -83,6 +65,17 @@ const FIGURES: readonly Figure[] = [
     of: (summary) => summary.reflection_rate,
   },
   {
+    name: "localize-bias-q",
+    title: "Bias of Q",
+    shortTitle: "Bias",
+    unit: "",
+    scale: "log",
+    factor: 1,
+    note: "Less than RMSE(Q) ÷ √trials is chance.",
+    of: (summary) => summary.bias_orientation,
+    spread: false,
+  },
+  {
     name: "localize-iterations",
     title: "Iterations",
     shortTitle: "Iterations",
@@ -90,6 +83,16 @@ const FIGURES: readonly Figure[] = [
     scale: "linear",
     factor: 1,
     of: (summary) => summary.iterations,
+  },
+  {
+    name: "localize-sensors",
+    title: "Sensor RMSE",
+    shortTitle: "Sensors",
+    unit: "m",
+    scale: "log",
+    factor: 1,
+    of: (summary) => summary.rmse_sensors,
+    bound: (summary) => summary.sensors,
   },
 ];
 
@@ -134,12 +137,12 @@ function axis(values: Float64Array, scenario: Scenario, run: LocalizeRun): PlotA
 
 function localizerLines(
   report: LocalizationReport,
-  { of, factor }: Pick<Figure, "of" | "factor">,
+  { of, factor, spread = true }: Pick<Figure, "of" | "factor" | "spread">,
 ): PlotLine[] {
   return report.estimators
     .map(({ name, points }): PlotLine => {
       const { label, token, mark } = lookOf(name);
-      return { name, label, token, mark, dash: [], events: [], ...curve(points.map(of), factor) };
+      return { name, label, token, mark, dash: [], events: [], ...curve(points.map(of), factor, spread) };
     })
     .filter(hasNumbers);
 }
@@ -158,7 +161,7 @@ function boundLines(
       token: "bound",
       mark: null,
       events: [],
-      ...curve(points.map(bound), factor),
+      ...curve(points.map(bound), factor, true),
     }))
     .filter(hasNumbers);
 }
@@ -166,11 +169,11 @@ function boundLines(
 function curve(
   estimates: readonly (Estimate | null)[],
   factor: number,
+  spread: boolean,
 ): Pick<PlotLine, "values" | "standardErrors"> {
-  return {
-    values: Float64Array.from(estimates, (estimate) => (estimate?.value ?? NaN) * factor),
-    standardErrors: Float64Array.from(estimates, (estimate) => (estimate?.standard_error ?? NaN) * factor),
-  };
+  const numbers = (of: keyof Estimate) =>
+    Float64Array.from(estimates, (estimate) => (estimate?.[of] ?? NaN) * factor);
+  return { values: numbers("value"), standardErrors: spread ? numbers("standard_error") : null };
 }
 
 function hasNumbers({ values }: PlotLine): boolean {

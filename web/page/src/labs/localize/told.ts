@@ -2,7 +2,7 @@ import { DEGREES_PER_RADIAN, formatNumber, formatReading } from "../../controls/
 import { positionFloor } from "../../rigid-body/mounting";
 import type { Scenario } from "../../scenario";
 import type { SceneInput } from "../../scene/input";
-import { asSentence, joined } from "../../words";
+import { asSentence, countOf, joined, startOf } from "../../words";
 import { unseenMirrors } from "./layers";
 import { BOUND_LOOKS, boundOf, lookOf } from "./localizers";
 import type { LocalizeRun } from "./run";
@@ -11,8 +11,11 @@ import type { LocalizeRun } from "./run";
 const OFTEN = 0.01;
 /** A localizer this near its bound is at it. */
 const AT_BOUND = 1.1;
+/** More names than these are counted instead. */
+const MOST_NAMES = 3;
 
 type Report = LocalizeRun["report"]["estimators"][number];
+const namesOf = (reports: readonly Report[]) => joined(reports.map(({ name }) => lookOf(name)));
 const rateOf = ({ points: [point] }: Report) => point.reflection_rate?.value ?? 0;
 const angleOf = ({ points: [point] }: Report) => point.rms_angle?.value ?? Infinity;
 
@@ -35,10 +38,10 @@ function nearest({ report }: LocalizeRun): string {
   const over = `Over ${report.trials} trials ${label} is nearest: ${error} off`;
   if (!bound || !least?.angle || !least.position) return `${over}; no bound exists here.`;
   const ratio = found.rms_angle.value / least.angle.value;
-  const limit = `${BOUND_LOOKS[bound.name].label}, ${errorText(least.angle.value, least.position.value)}`;
-  return ratio < AT_BOUND
-    ? `${over}, as good as the ${limit}, allows.`
-    : `${over}; the ${limit}, would allow ${formatReading(ratio)} times less in orientation.`;
+  const verdict =
+    ratio < AT_BOUND ? "it is at its bound" : `${formatReading(ratio)} times its bound in orientation`;
+  const limit = `${BOUND_LOOKS[bound.name].label}: ${errorText(least.angle.value, least.position.value)}`;
+  return `${over}; ${verdict} (${limit}).`;
 }
 
 function mirroring(estimators: readonly Report[]): string {
@@ -47,7 +50,7 @@ function mirroring(estimators: readonly Report[]): string {
   const rates = often.map(rateOf);
   const [least, most] = [Math.min(...rates), Math.max(...rates)].map((rate) => formatReading(100 * rate));
   const share = least === most ? `${most} %` : `${least} to ${most} %`;
-  const names = joined(often.map(({ name }) => lookOf(name)));
+  const names = often.length > MOST_NAMES ? startOf(`${countOf(often.length)} localizers`) : namesOf(often);
   return `${names} ${often.length === 1 ? "mirrors" : "mirror"} the body in ${share} of the trials.`;
 }
 
@@ -57,7 +60,7 @@ function failing({ report, snapshot }: LocalizeRun): string {
   if (!first) return "";
   const count = `${first.points[0].failures} of ${report.trials} trials`;
   const reason = snapshot.estimators.find(({ failure }) => failure !== null)?.failure;
-  const names = joined(failed.map(({ name }) => lookOf(name)));
+  const names = namesOf(failed);
   const verb = failed.length === 1 ? "has" : "have";
   return `${names} ${verb} no estimate in ${count}${reason ? `: ${asSentence(reason)}` : "."}`;
 }
