@@ -3,6 +3,7 @@ import { expect, type Page, test } from "@playwright/test";
 import { violations, wear } from "./axe";
 import { Health } from "./health";
 import { Lab } from "./lab";
+import { unpack } from "./scenario-link";
 
 const ROOT = new URL("../..", import.meta.url).pathname;
 
@@ -171,9 +172,8 @@ test("the lab, its trial and its cloud travel in the link", async ({ page }) => 
   await lab.pick("Group", "O(D)");
   await expect(page.getByRole("button", { name: "RMSE of 20 trials" })).toBeVisible();
   const before = await errors(page).innerText();
-  const share = page.waitForFunction(() => location.hash.length > 10);
-  await page.getByRole("button", { name: "Share" }).click();
-  await share;
+  const settings = () => unpack(new URL(page.url()).hash)["localize"];
+  await expect.poll(settings).toMatchObject({ manifold: "o" });
   await page.reload();
   await expect(errors(page)).toBeVisible();
   expect(await errors(page).innerText()).toBe(before);
