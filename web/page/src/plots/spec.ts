@@ -17,6 +17,12 @@ export interface PlotLine {
   readonly events: readonly number[];
 }
 
+/** An edit of the scenario, and what it is called. */
+export interface PlotEdit {
+  readonly what: string;
+  readonly scenario: Scenario;
+}
+
 /** A level that is dragged in the plot itself. */
 export interface Threshold {
   /** What a reader calls it. */
@@ -30,7 +36,7 @@ export interface Threshold {
   /** Where the line lies, a number a step, in proportion to the value. */
   readonly heights: Float64Array;
   /** The edit that sets another value, and what it is called. */
-  edit(value: number): { what: string; scenario: Scenario };
+  edit(value: number): PlotEdit;
 }
 
 /** Where values are expected. */
@@ -50,6 +56,8 @@ export interface PlotAxis {
   readonly scale: ScaleKind;
   /** Where the scenario lies on it; null for time, along which the timeline's cursor goes. */
   readonly now: number | null;
+  /** The edit that brings the scenario to another place on it, where a press on the plot does so. */
+  edit?(value: number): PlotEdit;
 }
 
 export function timeAxis(times: Float64Array): PlotAxis {
