@@ -162,11 +162,7 @@ impl BudgetBlock {
     pub fn merge(&mut self, next: &Self) -> Result<()> {
         let (found, expected) = (next.first, self.first + self.trials);
         if found != expected {
-            return Err(Error::Size {
-                what: "trials before the block that is appended",
-                found,
-                expected,
-            });
+            return Err(Error::Size { what: "trials before the block that is appended", found, expected });
         }
         let (found, expected) = (next.thresholds.len(), self.thresholds.len());
         if found != expected {
