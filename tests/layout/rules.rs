@@ -23,7 +23,10 @@ const ENGINE: &str = "web/page/src/engine/";
 /// no estimators, and the facade of the estimators draws nothing.
 const FOREIGN: [(&str, &[&str]); 3] = [
     ("crate/", &OUTSIDE),
-    ("web/scene/", &["rangelab", "rangelab_track", "rangelab_explore", "rangelab_wasm_shared"]),
+    (
+        "web/scene/",
+        &["rangelab", "rangelab_track", "rangelab_explore", "rangelab_localize", "rangelab_wasm_shared"],
+    ),
     ("web/wasm/", &["rangelab_scene", "wgpu"]),
 ];
 const OUTSIDE: [&str; 9] =

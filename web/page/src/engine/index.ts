@@ -4,15 +4,17 @@
  * sentence for the student.
  */
 import { exploreModule } from "./explore";
+import { localizeModule } from "./localize";
 import { trackModule } from "./track";
 
 export * from "./explore";
+export * from "./localize";
 export { type EngineModule, EngineTrap } from "./module";
 export * from "./scene";
 export * from "./track";
 
 /** By the folder below `wasm/` that each is built into. */
-export const modules = { track: trackModule, explore: exploreModule };
+export const modules = { track: trackModule, explore: exploreModule, localize: localizeModule };
 
 /** Fresh instances, after a trap. Studies begun in the old ones are lost with them. */
 export function restartEngine(): void {

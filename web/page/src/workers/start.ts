@@ -1,4 +1,4 @@
-import { type EngineModule, exploreModule, trackModule } from "../engine";
+import { type EngineModule, exploreModule, localizeModule, trackModule } from "../engine";
 import type { Improvement } from "../generated/Improvement";
 import type { Block, FieldRows, RowValues, Search, Sums } from "./messages";
 import type { PoolWorker } from "./pool";
@@ -15,6 +15,13 @@ export function startStudyWorker(): PoolWorker<Block, Sums> {
   return loaded(
     new Worker(new URL("./study-worker.ts", import.meta.url), { type: "module", name: "study" }),
     trackModule,
+  );
+}
+
+export function startSweepWorker(): PoolWorker<Block, Sums> {
+  return loaded(
+    new Worker(new URL("./sweep-worker.ts", import.meta.url), { type: "module", name: "sweep" }),
+    localizeModule,
   );
 }
 

@@ -7,7 +7,7 @@ import { ground, groundLabels } from "../../scene/ground";
 import Controls from "./controls/Panel.svelte";
 import { estimates, ranges, truth } from "./layers";
 import { eventSteps, plots } from "./plots";
-import { studyPlots } from "./study-plots";
+import { study } from "./study";
 import { ghost } from "./ghost";
 import Readout from "./Readout.svelte";
 import { note, told } from "./told";
@@ -35,7 +35,7 @@ export const lab: Lab<Run> = {
   note,
   told,
   plots,
-  studyPlots,
+  study,
   marks: (run) =>
     run.estimators
       .filter((estimator) => estimator.name === "et-kf")
