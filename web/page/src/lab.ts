@@ -43,6 +43,11 @@ export interface LabStudy<R extends LabRun = LabRun, A extends Averages = Averag
   plots(picture: StudyPicture<A>, scenario: Scenario, run: R): PlotSpec[];
 }
 
+/** A study whose plots are a page of their own, beside the run and the averages over time. */
+export interface StudyPage<R extends LabRun = LabRun, A extends Averages = Averages> extends LabStudy<R, A> {
+  readonly title: string;
+}
+
 /**
  * A lab plugs into the frame: what it computes from a scenario, and how that is drawn, plotted, said and changed.
  * Each is a folder `labs/NAME/index.ts` that exports its `lab`; the frame finds it there.
@@ -81,6 +86,7 @@ export interface Lab<R extends LabRun = LabRun> {
   plots?(scenario: Scenario, run: R): PlotSpec[];
   /** Averages over many trials; a lab without it has no such view. */
   readonly study?: LabStudy<R>;
+  readonly studyPages?: readonly StudyPage<R>[];
   marks(run: R): readonly TimelineMarks[];
   /** What the run shows at a step, in a few sentences. */
   describe(run: R, step: number): string;

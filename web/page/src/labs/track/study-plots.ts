@@ -5,12 +5,14 @@ import {
   boundLineLook,
   CONSISTENCY,
   estimatorLook,
-  neesBands,
+  INNOVATION,
   ORIENTATION,
   PLAIN,
   POSITION,
   shownOf,
 } from "./plots";
+import { neesBands, nisBands } from "./consistency-bands";
+import { neesVerdict, nisVerdict } from "./verdicts";
 
 /** The plots of one run as averages over trials, each against the bound with the same definition. */
 export function studyPlots(times: Float64Array, study: StudyCurves): PlotSpec[] {
@@ -58,6 +60,15 @@ export function studyPlots(times: Float64Array, study: StudyCurves): PlotSpec[] 
       title: "Mean NEES / dof",
       lines: estimatorLines(study, (estimator) => estimator.nees, 1),
       bands: neesBands(study.estimators, study.trials),
+      note: neesVerdict(study.estimators, study.trials),
+    },
+    {
+      ...common,
+      ...INNOVATION,
+      title: "Mean NIS / dof",
+      lines: estimatorLines(study, (estimator) => estimator.nis, 1),
+      bands: nisBands(study.estimators, study.trials),
+      note: nisVerdict(study.estimators, study.trials),
     },
   ];
 }
