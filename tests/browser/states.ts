@@ -36,6 +36,9 @@ export const STATES: readonly State[] = [
   { name: "data table", prepare: (lab) => lab.plotMenu("Orientation error", "Data table") },
   { name: "plot menu", prepare: (lab) => lab.plotMenu("Orientation error") },
   { name: "Monte-Carlo", prepare: (lab) => averages(lab) },
+  { name: "NIS outside", preset: "overconfident", prepare: (lab) => innovations(lab) },
+  { name: "ET budget", preset: "tracking-paper", prepare: (lab) => averages(lab, "ET budget") },
+  { name: "Anchor draws", preset: "tracking-paper-redrawn", prepare: (lab) => averages(lab, "Anchor draws") },
   { name: "plot enlarged", prepare: (lab) => enlarge(lab) },
   { name: "sheet open", prepare: (lab) => lab.openSheet() },
   { name: "export menu", prepare: openExport },
@@ -163,9 +166,16 @@ async function enlarge(lab: Lab): Promise<void> {
 }
 
 /** The first averages, and no more: pictures of a state do not change by themselves. */
-async function averages(lab: Lab): Promise<void> {
-  await lab.page.getByRole("button", { name: "Monte-Carlo" }).click();
+async function averages(lab: Lab, study = "Monte-Carlo"): Promise<void> {
+  await lab.page.getByRole("button", { name: study, exact: true }).click();
   const trials = lab.page.getByTestId("trials");
   await expect.poll(async () => Number(await trials.innerText()), { timeout: 60_000 }).toBeGreaterThan(0);
   await lab.page.getByRole("button", { name: "Stop" }).click();
+}
+
+async function innovations(lab: Lab): Promise<void> {
+  await averages(lab);
+  const chooser = lab.page.getByRole("group", { name: "Plots shown" });
+  const button = chooser.getByRole("button", { name: "NIS" });
+  if ((await button.getAttribute("aria-pressed")) === "false") await button.click();
 }
