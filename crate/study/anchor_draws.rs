@@ -2,16 +2,18 @@
 
 use alloc::vec::Vec;
 
+use nalgebra::SVector;
+
 use super::error::PoseError;
 use super::flat::{Flat, Numbers};
 use super::monte_carlo::{MonteCarlo, TRIALS_PER_BLOCK};
-use crate::bounds::{BoundKind, visit_bounds};
+use crate::bounds::{BoundKind, bounds_along};
 use crate::error::{Error, Result};
 use crate::math::float::sqrt;
 use crate::model::epoch::Recording;
 use crate::model::estimator_settings::{EstimatorName, EstimatorSettings};
 use crate::model::scenario::{RedrawAnchors, Scenario};
-use crate::model::spread::Spread;
+use crate::model::spread::{RANK_TOLERANCE, singular_values};
 use crate::simulate::simulate;
 use crate::track::estimator;
 use crate::with_dimension;
@@ -43,7 +45,8 @@ pub struct Deviation {
 /// One run over one set of anchors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Draw {
-    /// Largest over least singular value of the centred anchors; `None` where they lie in a plane (in 2-D: on a line).
+    /// Largest over least singular value of `Abar`, the anchors around their weighted mean, whitened by what the ranges
+    /// to the body at its first pose weigh; `None` where they lie in a plane (in 2-D: on a line).
     pub condition: Option<f64>,
     /// The posterior CRB on the rotations; `None` where it does not exist at every step.
     pub bound: Option<Deviation>,
@@ -104,23 +107,38 @@ impl AnchorDraws {
 }
 
 fn draw<const D: usize>(recording: &Recording<D>, settings: &EstimatorSettings) -> Result<Draw> {
-    let spread = Spread::of(recording.model.anchors().positions());
     Ok(Draw {
-        condition: (spread.rank() == D).then(|| spread.condition()),
+        condition: condition(recording),
         bound: bound(recording)?,
         errors: ESTIMATORS.map(|name| error(name, recording, settings)),
     })
 }
 
+fn condition<const D: usize>(recording: &Recording<D>) -> Option<f64> {
+    let body = recording.truth.first()?.as_ref()?.position;
+    let (anchors, noise) = (recording.model.anchors().positions(), recording.model.noise());
+    let weight =
+        |anchor: &SVector<f64, D>| 1.0 / noise.squared_range_variance((anchor - body).norm_squared());
+    let (mut total, mut moment) = (0.0, SVector::zeros());
+    for anchor in anchors {
+        total += weight(anchor);
+        moment += anchor * weight(anchor);
+    }
+    let whitened = |anchor: &SVector<f64, D>| (anchor - moment / total) * sqrt(weight(anchor) / total);
+    let values = singular_values(&anchors.iter().map(whitened).collect::<Vec<_>>(), &SVector::zeros());
+    let (largest, least) = (values[0], values[D - 1]);
+    // Where the body sits on an anchor all weight is on that one, and nothing is left to compare.
+    (least > RANK_TOLERANCE * largest).then(|| largest / least)
+}
+
 fn bound<const D: usize>(recording: &Recording<D>) -> Result<Option<Deviation>> {
-    let mut squares = Some((0.0, 0.0));
-    visit_bounds(recording, |step| {
-        let bound = step.get(BoundKind::PosteriorCrb).and_then(|bound| bound.as_ref().ok());
-        squares = squares.zip(bound).and_then(|((angle, position), bound)| {
-            Some((angle + bound.angle_variance?, position + bound.position_trace))
-        });
-    })?;
-    Ok(squares.map(|squares| deviation(squares, recording.epochs.len())))
+    let mut squares = (0.0, 0.0);
+    for step in bounds_along(recording)? {
+        let Some(Ok(bound)) = step.get(BoundKind::PosteriorCrb) else { return Ok(None) };
+        let Some(variance) = bound.angle_variance else { return Ok(None) };
+        squares = (squares.0 + variance, squares.1 + bound.position_trace);
+    }
+    Ok(Some(deviation(squares, recording.epochs.len())))
 }
 
 fn error<const D: usize>(

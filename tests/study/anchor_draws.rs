@@ -1,14 +1,15 @@
 //! Anchors drawn anew against the independent reference, and against the fixed ones.
 
+use rangelab::model::noise::RangeNoise;
 use rangelab::model::presets::preset;
+use rangelab::model::scenario::Scenario;
 use rangelab::study::anchor_draws::{AnchorDraws, Pair};
 use rangelab::study::quantile::quantile;
 
 const SHARES: [f64; 3] = [0.5, 0.95, 0.99];
 
-fn draws(anchors: usize, steps: usize, count: usize) -> Vec<Pair> {
-    let mut scenario = preset("tracking-paper-redrawn").unwrap();
-    scenario.steps = steps;
+fn draws(name: &str, anchors: usize, count: usize) -> Vec<Pair> {
+    let mut scenario = preset(name).unwrap();
     let given = scenario.anchors.clone();
     scenario.anchors = given.iter().cycle().take(anchors).cloned().collect();
     // Only their number matters where they are redrawn; doubled ones are moved apart.
@@ -17,7 +18,7 @@ fn draws(anchors: usize, steps: usize, count: usize) -> Vec<Pair> {
     (0..study.blocks()).flat_map(|index| study.block(index).unwrap()).collect()
 }
 
-/// Share of the conditions up to `limit`, with twice its standard error where it should be `share`.
+/// Whether so large a share of the conditions lies up to `limit`, within three standard errors of a share.
 fn holds(conditions: &[f64], limit: f64, share: f64, rounding: f64) -> bool {
     let count = conditions.len() as f64;
     let below =
@@ -30,8 +31,10 @@ fn holds(conditions: &[f64], limit: f64, share: f64, rounding: f64) -> bool {
 fn conditions_of_drawn_anchors_are_those_of_the_reference() {
     let reference = [(4, [6.6, 74.0, 382.0], [0.05, 0.5, 0.5]), (8, [2.4, 4.6, 6.6], [0.05; 3])];
     let [four, eight] = reference.map(|(anchors, limits, roundings)| {
-        let conditions: Vec<f64> =
-            draws(anchors, 1, 2000).iter().filter_map(|pair| pair.redrawn.condition).collect();
+        let conditions: Vec<f64> = draws("localization-paper-redrawn", anchors, 2000)
+            .iter()
+            .filter_map(|pair| pair.redrawn.condition)
+            .collect();
         assert_eq!(conditions.len(), 2000);
         let found = SHARES.map(|share| quantile(conditions.iter().copied(), share).unwrap());
         println!("{anchors} anchors: {found:.2?}");
@@ -47,7 +50,7 @@ fn conditions_of_drawn_anchors_are_those_of_the_reference() {
 /// than the constrained one.
 #[test]
 fn badly_conditioned_anchors_hurt_whom_the_paper_says() {
-    let pairs = draws(4, 20, 400);
+    let pairs = draws("tracking-paper-redrawn", 4, 400);
     let worst = quantile(pairs.iter().filter_map(|pair| pair.redrawn.condition), 0.9).unwrap();
     let bad: Vec<_> = pairs.iter().filter(|pair| pair.redrawn.condition.unwrap() > worst).collect();
     let median = |of: &dyn Fn(&Pair) -> f64, among: &[&Pair]| {
@@ -74,6 +77,21 @@ fn draws_travel_as_the_same_bits_and_do_not_depend_on_how_many_there_are() {
     assert_eq!(AnchorDraws::new(&scenario, 60).unwrap().block(0).unwrap(), blocks[..20]);
     assert!(Pair::from_numbers(&[1.0; 3]).is_err());
     assert!(AnchorDraws::new(&scenario, 0).is_err());
+}
+
+/// Weights tell: with errors that do not grow with the distance the same anchors are conditioned otherwise.
+#[test]
+fn the_condition_is_that_of_the_anchors_as_they_are_weighed() {
+    let condition = |noise| {
+        let scenario = Scenario { noise, ..preset("localization-paper").unwrap() };
+        AnchorDraws::new(&scenario, 1).unwrap().block(0).unwrap()[0].fixed.condition.unwrap()
+    };
+    let [growing, steady] =
+        [RangeNoise::Toa { zeta_db: 60.0 }, RangeNoise::Range { sigma: 0.1 }].map(condition);
+    assert!((growing / steady - 1.0).abs() > 0.05, "{growing} and {steady}");
+    assert_eq!(condition(RangeNoise::Toa { zeta_db: 60.0 }), growing);
+    let louder = condition(RangeNoise::Toa { zeta_db: 30.0 });
+    assert!((louder / growing - 1.0).abs() < 1e-9, "the level of the noise does not matter: {louder}");
 }
 
 #[test]
