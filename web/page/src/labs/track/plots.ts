@@ -102,6 +102,7 @@ export function plots(scenario: Scenario, run: Run): PlotSpec[] {
       title: "NIS / dof",
       lines: nisLines(run),
       bands: nisBands(run.estimators, 1),
+      note: NIS_NOTE,
     },
   ];
 }
@@ -116,12 +117,20 @@ function neesLines(run: Run): PlotLine[] {
   }));
 }
 
-/** A step without ranges has no innovation. */
 function nisLines(run: Run): PlotLine[] {
   return run.estimators.map((estimator) => ({
     ...estimatorLook(estimator),
-    values: estimator.nis.map((value, step) => value / (estimator.nisDegreesOfFreedom[step] || NaN)),
+    values: settledNis(
+      estimator.nis.map((value, step) => value / (estimator.nisDegreesOfFreedom[step] || NaN)),
+    ),
   }));
+}
+
+export const NIS_NOTE = "Without the first step, whose ranges only test the guess one starts from.";
+
+/** A step without ranges has no innovation; the first one's is no matter of chance but of how wide the prior is. */
+export function settledNis(values: Float64Array): Float64Array {
+  return values.map((value, step) => (step === 0 ? NaN : value));
 }
 
 function defectLines(run: Run): PlotLine[] {

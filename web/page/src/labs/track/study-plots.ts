@@ -6,9 +6,11 @@ import {
   CONSISTENCY,
   estimatorLook,
   INNOVATION,
+  NIS_NOTE,
   ORIENTATION,
   PLAIN,
   POSITION,
+  settledNis,
   shownOf,
 } from "./plots";
 import { neesBands, nisBands } from "./consistency-bands";
@@ -66,9 +68,9 @@ export function studyPlots(times: Float64Array, study: StudyCurves): PlotSpec[] 
       ...common,
       ...INNOVATION,
       title: "Mean NIS / dof",
-      lines: estimatorLines(study, (estimator) => estimator.nis, 1),
+      lines: estimatorLines(study, ({ nis }) => ({ ...nis, value: settledNis(nis.value) }), 1),
       bands: nisBands(study.estimators, study.trials),
-      note: nisVerdict(study.estimators, study.trials),
+      note: nisVerdict(study.estimators, study.trials) ?? NIS_NOTE,
     },
   ];
 }

@@ -2,6 +2,7 @@ import { formatReading } from "../../controls/format";
 import type { Curve, EstimatorCurves } from "../../study";
 import { joined } from "../../words";
 import { meanBand } from "./consistency-bands";
+import { settledNis } from "./plots";
 
 /** How likely a picture of consistent filters is to say anything. */
 const WRONGLY = 0.002;
@@ -27,7 +28,7 @@ export function neesVerdict(estimators: readonly EstimatorCurves[], trials: numb
 export function nisVerdict(estimators: readonly EstimatorCurves[], trials: number): string | null {
   const means = estimators.map(({ label, nis, nisDegreesOfFreedom, failures }) => ({
     label,
-    mean: nis,
+    mean: { ...nis, value: settledNis(nis.value) },
     degrees: (step: number) => nisDegreesOfFreedom[step],
     failures,
   }));

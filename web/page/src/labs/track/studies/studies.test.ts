@@ -109,7 +109,10 @@ describe("anchors drawn anew", () => {
     expect(kf.values[39]).toBeCloseTo((filter.redrawn.angle[worst] * 180) / Math.PI, 12);
     expect(new Set(levels[1].values).size).toBe(1);
     expect(levels[1].values[0]).toBeCloseTo((quantiles(filter.fixed.angle, [0.5])[0] * 180) / Math.PI, 12);
-    expect(orientation.note).toContain("±1000 m");
+    expect(orientation.note).toContain("±968 m");
+    const redrawn = pictureOf("tracking-paper-redrawn").averages;
+    expect(redrawn.halfWidth).toBe(1000);
+    expect(redrawn.fixedCondition).toBe(now);
   });
 
   test("fixed ones in a plane lie beyond every condition", () => {
