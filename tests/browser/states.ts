@@ -38,7 +38,7 @@ export const STATES: readonly State[] = [
   { name: "Monte-Carlo", prepare: (lab) => averages(lab) },
   { name: "NIS outside", preset: "overconfident", prepare: (lab) => innovations(lab) },
   { name: "ET budget", preset: "tracking-paper", prepare: (lab) => averages(lab, "ET budget") },
-  { name: "Anchor draws", preset: "tracking-paper-redrawn", prepare: (lab) => averages(lab, "Anchor draws") },
+  { name: "Anchor draws", preset: "tracking-paper-redrawn", prepare: (lab) => drawn(lab) },
   { name: "plot enlarged", prepare: (lab) => enlarge(lab) },
   { name: "sheet open", prepare: (lab) => lab.openSheet() },
   { name: "export menu", prepare: openExport },
@@ -171,6 +171,12 @@ async function averages(lab: Lab, study = "Monte-Carlo"): Promise<void> {
   const trials = lab.page.getByTestId("trials");
   await expect.poll(async () => Number(await trials.innerText()), { timeout: 60_000 }).toBeGreaterThan(0);
   await lab.page.getByRole("button", { name: "Stop" }).click();
+}
+
+/** All of them are soon there. */
+async function drawn(lab: Lab): Promise<void> {
+  await lab.page.getByRole("button", { name: "Anchor draws" }).click();
+  await expect(lab.page.getByTestId("trials")).toHaveText("500", { timeout: 60_000 });
 }
 
 async function innovations(lab: Lab): Promise<void> {

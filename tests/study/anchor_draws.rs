@@ -63,8 +63,9 @@ fn badly_conditioned_anchors_hurt_whom_the_paper_says() {
     assert!(loss(0) > 1.5 * loss(1));
     let position = |pair: &Pair| pair.redrawn.bound.unwrap().position;
     assert!(median(&position, &bad) > 3.0 * median(&position, &all));
-    let fixed = pairs[0].fixed.condition;
-    assert!(pairs.iter().all(|pair| pair.fixed.condition == fixed));
+    // Of fixed anchors only the place of the body changes, by a metre in a kilometre.
+    let fixed = pairs[0].fixed.condition.unwrap();
+    assert!(pairs.iter().all(|pair| (pair.fixed.condition.unwrap() / fixed - 1.0).abs() < 0.02));
 }
 
 #[test]
@@ -88,7 +89,7 @@ fn the_condition_is_that_of_the_anchors_as_they_are_weighed() {
     };
     let [growing, steady] =
         [RangeNoise::Toa { zeta_db: 60.0 }, RangeNoise::Range { sigma: 0.1 }].map(condition);
-    assert!((growing / steady - 1.0).abs() > 0.05, "{growing} and {steady}");
+    assert!((growing / steady - 1.0).abs() > 0.03, "{growing} and {steady}");
     assert_eq!(condition(RangeNoise::Toa { zeta_db: 60.0 }), growing);
     let louder = condition(RangeNoise::Toa { zeta_db: 30.0 });
     assert!((louder / growing - 1.0).abs() < 1e-9, "the level of the noise does not matter: {louder}");
