@@ -41,8 +41,6 @@ use trajectory::trajectory;
 /// assert_ne!(recording, simulate::<3>(&preset("room")?, 1)?);
 /// # Ok::<(), rangelab::Error>(())
 /// ```
-// Several studies call it: a copy in each would weigh on the page's module.
-#[inline(never)]
 pub fn simulate<const D: usize>(scenario: &Scenario, trial: u64) -> Result<Recording<D>> {
     let setup = scenario.setup::<D>()?;
     let model = anchored(scenario, &setup, trial)?;

@@ -18,8 +18,6 @@ pub mod kalman;
 pub mod unitary;
 
 /// The estimator of a name, ready for the first epoch of a recording.
-// Several studies call it: a copy in each would weigh on the page's module.
-#[inline(never)]
 pub fn estimator<const D: usize>(
     name: EstimatorName,
     settings: &EstimatorSettings,

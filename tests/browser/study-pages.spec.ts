@@ -70,7 +70,7 @@ test("along projections the handle goes the same way as the pointer and the arro
   const dragged = await place();
   await slider.press("ArrowRight");
   expect(await place()).toBeGreaterThan(dragged);
-  await expect(page.locator(".plots .note").first()).toContainText("projections a run");
+  await expect(page.locator(".plots p.told")).toContainText("projections a run");
 });
 
 test("a study page tells how far it is, stops where it is told, and goes on", async ({ page }) => {
@@ -90,7 +90,7 @@ test("draws of anchors are points; what they are is told; other pages come and g
   test.setTimeout(120_000);
   const lab = await openPage(page, "Anchor draws", "tracking-paper-redrawn");
   await expect.poll(() => trials(page), { timeout: 90_000 }).toBe(500);
-  await expect(page.locator(".plots .note").first()).toContainText("Condition: median");
+  await expect(page.locator(".plots p.told")).toContainText("Condition: median");
   const rows = await rowsOf(lab, "Position by anchor condition");
   const conditions = rows.map(([condition]) => Number(condition));
   expect(conditions.toSorted((one, other) => one - other)).toEqual(conditions);
@@ -105,10 +105,11 @@ test("a filter that is too sure of itself is told so beside its NIS", async ({ p
   test.setTimeout(120_000);
   const lab = await openPage(page, "Monte-Carlo", "overconfident");
   await expect.poll(() => trials(page), { timeout: 90_000 }).toBeGreaterThanOrEqual(60);
+  await expect(page.locator(".plots p.told")).toContainText(/too sure of themselves: mean NEES.* NIS up to/);
   const nis = lab.plot("Mean NIS / dof");
   const chooser = page.getByRole("group", { name: "Plots shown" });
   if (!(await nis.isVisible())) await chooser.getByRole("button", { name: "NIS" }).click();
-  await expect(nis.locator(".note")).toContainText("too sure of");
+  await expect(nis).toBeVisible();
 });
 
 for (const [title, most] of [

@@ -41,6 +41,8 @@ export interface LabStudy<R extends LabRun = LabRun, A extends Averages = Averag
   startWorker(): PoolWorker<Block, Sums>;
   /** The scenario at hand and its run may be newer than the picture. */
   plots(picture: StudyPicture<A>, scenario: Scenario, run: R): PlotSpec[];
+  /** What the plots show, in a sentence or two; without it they speak for themselves. */
+  told?(picture: StudyPicture<A>, scenario: Scenario): string;
 }
 
 /** A study whose plots are a page of their own, beside the run and the averages over time. */

@@ -126,7 +126,8 @@ function nisLines(run: Run): PlotLine[] {
   }));
 }
 
-export const NIS_NOTE = "Without the first step, whose ranges only test the guess one starts from.";
+/** The first ranges only test the guess that one starts from. */
+export const NIS_NOTE = "from step 2 on";
 
 /** A step without ranges has no innovation; the first one's is no matter of chance but of how wide the prior is. */
 export function settledNis(values: Float64Array): Float64Array {

@@ -14,7 +14,6 @@ import {
   shownOf,
 } from "./plots";
 import { neesBands, nisBands } from "./consistency-bands";
-import { neesVerdict, nisVerdict } from "./verdicts";
 
 /** The plots of one run as averages over trials, each against the bound with the same definition. */
 export function studyPlots(times: Float64Array, study: StudyCurves): PlotSpec[] {
@@ -62,7 +61,6 @@ export function studyPlots(times: Float64Array, study: StudyCurves): PlotSpec[] 
       title: "Mean NEES / dof",
       lines: estimatorLines(study, (estimator) => estimator.nees, 1),
       bands: neesBands(study.estimators, study.trials),
-      note: neesVerdict(study.estimators, study.trials),
     },
     {
       ...common,
@@ -70,7 +68,7 @@ export function studyPlots(times: Float64Array, study: StudyCurves): PlotSpec[] 
       title: "Mean NIS / dof",
       lines: estimatorLines(study, ({ nis }) => ({ ...nis, value: settledNis(nis.value) }), 1),
       bands: nisBands(study.estimators, study.trials),
-      note: nisVerdict(study.estimators, study.trials) ?? NIS_NOTE,
+      note: NIS_NOTE,
     },
   ];
 }

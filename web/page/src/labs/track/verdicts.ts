@@ -1,5 +1,5 @@
 import { formatReading } from "../../controls/format";
-import type { Curve, EstimatorCurves } from "../../study";
+import type { Curve, EstimatorCurves, StudyCurves } from "../../study";
 import { joined } from "../../words";
 import { meanBand } from "./consistency-bands";
 import { settledNis } from "./plots";
@@ -15,6 +15,14 @@ interface Means {
   readonly failures: Uint32Array;
 }
 
+/** Whether the filters keep what they claim, in a sentence or two. */
+export function verdict({ estimators, trials }: StudyCurves): string {
+  const found = [neesVerdict(estimators, trials), nisVerdict(estimators, trials)].filter(
+    (text) => text !== null,
+  );
+  return found.join(" ") || "NEES and NIS stay within what chance allows.";
+}
+
 export function neesVerdict(estimators: readonly EstimatorCurves[], trials: number): string | null {
   const means = estimators.map(({ label, nees, neesDegreesOfFreedom, failures }) => ({
     label,
@@ -22,7 +30,7 @@ export function neesVerdict(estimators: readonly EstimatorCurves[], trials: numb
     degrees: () => neesDegreesOfFreedom,
     failures,
   }));
-  return verdict("NEES", means, trials);
+  return outside("NEES", means, trials);
 }
 
 export function nisVerdict(estimators: readonly EstimatorCurves[], trials: number): string | null {
@@ -32,11 +40,11 @@ export function nisVerdict(estimators: readonly EstimatorCurves[], trials: numbe
     degrees: (step: number) => nisDegreesOfFreedom[step],
     failures,
   }));
-  return verdict("NIS", means, trials);
+  return outside("NIS", means, trials);
 }
 
 /** Who claims too small errors, or else too large ones: farther off than chance takes a mean over so many trials. */
-function verdict(name: string, all: readonly Means[], trials: number): string | null {
+function outside(name: string, all: readonly Means[], trials: number): string | null {
   const steps = all[0]?.mean.value.length ?? 0;
   const probability = 1 - WRONGLY / Math.max(1, all.length * steps);
   const found = all.flatMap((means) => worst(means, trials, probability));
@@ -60,14 +68,14 @@ interface Excess {
 
 /** The step at which the means are farthest above the band; where none is, farthest below it. */
 function worst({ label, mean, degrees, failures }: Means, trials: number, probability: number): Excess[] {
-  const outside = Array.from(mean.value, (value, step): Excess | null => {
+  const found = Array.from(mean.value, (value, step): Excess | null => {
     const counted = trials - failures[step];
     if (!Number.isFinite(value) || counted <= 0 || !(degrees(step) > 0)) return null;
     const [low, high] = meanBand(degrees(step), counted, probability);
     if (value >= low && value <= high) return null;
     return { label, value, above: value > high, edge: value > high ? high : low };
   }).filter((excess) => excess !== null);
-  const sorted = outside.toSorted((one, other) => other.value - one.value);
+  const sorted = found.toSorted((one, other) => other.value - one.value);
   const [first, last] = [sorted[0], sorted[sorted.length - 1]];
   return first === undefined ? [] : [first.above ? first : last];
 }

@@ -35,7 +35,6 @@ export function budgetPlots(curves: BudgetCurves, scenario: Scenario): PlotSpec[
       unit: "",
       x: over.projections,
       lines: linesOf(curves.orientation, 1, bySpending),
-      note: sentence(curves, spent, scenario),
     },
     {
       ...PLAIN,
@@ -151,11 +150,15 @@ function line(
 }
 
 /** What the projections at the chosen threshold buy, against as good as none. */
-function sentence(curves: BudgetCurves, spent: Interpolation, { estimators }: Scenario): string {
+export function budgetSentence(curves: BudgetCurves, { estimators }: Scenario): string {
   const { epsilon } = estimators.threshold;
+  const spent = new Interpolation(curves.thresholds, curves.projections.value);
   const error = (curve: Curve) => new Interpolation(curves.thresholds, curve.value).at(epsilon);
   const { first, last } = curves.orientation;
   const none = first.value[first.value.length - 1];
-  const reached = `first step ${formatReading(error(first))} instead of ${formatReading(none)}`;
-  return `ε = ${formatNumber(epsilon)}: ${formatReading(spent.at(epsilon))} projections a run; ${reached}, last step ${formatReading(error(last))}.`;
+  const angle = curves.angle.first.value;
+  const turned = error(curves.angle.first) / angle[angle.length - 1];
+  const same = Math.abs(turned - 1) < 0.01 ? " The rotation nearest to Q is no better for it." : "";
+  const reached = `RMSE of Q at the first step ${formatReading(error(first))} instead of ${formatReading(none)}`;
+  return `ε = ${formatNumber(epsilon)}: ${formatReading(spent.at(epsilon))} projections a run; ${reached}, at the last ${formatReading(error(last))}.${same}`;
 }

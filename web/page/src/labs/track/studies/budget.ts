@@ -6,7 +6,7 @@ import { keyOf, type StudyPlan } from "../../../state/study.svelte";
 import type { BudgetCurves } from "../../../study";
 import type { BudgetBlock } from "../../../workers/messages";
 import { startBudgetWorker } from "../../../workers/start";
-import { budgetPlots, PAPER } from "./budget-plots";
+import { budgetPlots, budgetSentence, PAPER } from "./budget-plots";
 
 const PLAN: StudyPlan = { perBlock: 20, firstPicture: 100, most: 1000 };
 
@@ -31,6 +31,7 @@ export const budget: StudyPage<Run, BudgetCurves> = {
   },
   startWorker: startBudgetWorker,
   plots: ({ averages }, scenario) => budgetPlots(averages, scenario),
+  told: ({ averages }, scenario) => budgetSentence(averages, scenario),
 };
 
 /** All thresholds are studied, whichever is chosen. */

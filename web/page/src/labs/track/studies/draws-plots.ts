@@ -8,7 +8,7 @@ import { NO_EVENTS, ORIENTATION, PLAIN, POSITION } from "../plots";
 type Quantity = keyof RunErrors;
 
 const SERIES = [
-  { of: "bound", name: "posterior_crb", label: "posterior CRB", token: "bound", mark: "ring", dash: [7, 4] },
+  { of: "bound", name: "posterior_crb", label: "posterior CRB", token: "bound", mark: "cross", dash: [7, 4] },
   { of: "filter", name: "kf", label: "KF", token: "kf", mark: MARKS["kf"], dash: [] },
   { of: "constrained", name: "uc-kf", label: "UC-KF", token: "uc-kf", mark: MARKS["uc-kf"], dash: [] },
 ] as const;
@@ -25,7 +25,6 @@ export function drawsPlots(draws: AnchorDraws): PlotSpec[] {
       title: "Orientation by anchor condition",
       x,
       lines: linesOf(draws, "angle", DEGREES_PER_RADIAN, order),
-      note: `${conditions(draws)} ${errors(draws, "angle", DEGREES_PER_RADIAN, "°")}`,
     },
     {
       ...PLAIN,
@@ -34,7 +33,6 @@ export function drawsPlots(draws: AnchorDraws): PlotSpec[] {
       title: "Position by anchor condition",
       x,
       lines: linesOf(draws, "position", 1, order),
-      note: errors(draws, "position", 1, "\u00a0m"),
     },
   ];
 }
@@ -90,19 +88,19 @@ function median(numbers: Float64Array): number {
   return quantiles(numbers, [0.5])[0];
 }
 
-const SHARES = [0.5, 0.95, 0.99];
-
-function conditions({ conditions, halfWidth }: AnchorDraws): string {
-  const told = quantiles(conditions, SHARES).map(formatReading);
-  return `Drawn in a cube of ±${formatReading(halfWidth)} m. Condition: median ${told[0]}, 95 % below ${told[1]}, 99 % below ${told[2]}.`;
+/** How the draws are conditioned, and what they do to whom, beside the fixed anchors (dashed in the plots). */
+export function drawsSentence(draws: AnchorDraws): string {
+  const [middle, most, nearlyAll] = quantiles(draws.conditions, [0.5, 0.95, 0.99]).map(formatReading);
+  return [
+    `Drawn within ±${formatReading(draws.halfWidth)}\u00a0m. Condition: median ${middle}, 95\u00a0% below ${most}, 99\u00a0% below ${nearlyAll}`,
+    `fixed ${formatReading(draws.fixedCondition)} (dashed). Median and 95\u00a0%: KF ${errors(draws.filter, "angle", DEGREES_PER_RADIAN, "°")}`,
+    `UC-KF ${errors(draws.constrained, "angle", DEGREES_PER_RADIAN, "°")}`,
+    `position ${errors(draws.constrained, "position", 1, "\u00a0m")}.`,
+  ].join("; ");
 }
 
-function errors(draws: AnchorDraws, quantity: Quantity, factor: number, unit: string): string {
-  const told = ({ fixed, redrawn }: Deviations, label: string) => {
-    const [middle, most] = quantiles(redrawn[quantity], [0.5, 0.95]).map((value) =>
-      formatReading(value * factor),
-    );
-    return `${label} median ${middle}${unit}, 95 % below ${most}${unit} (fixed ${formatReading(median(fixed[quantity]) * factor)}${unit})`;
-  };
-  return `${told(draws.filter, "KF:")}; ${told(draws.constrained, "UC-KF:")}.`;
+function errors({ fixed, redrawn }: Deviations, quantity: Quantity, factor: number, unit: string): string {
+  const told = (value: number) => formatReading(value * factor);
+  const [middle, most] = quantiles(redrawn[quantity], [0.5, 0.95]);
+  return `${told(middle)} and ${told(most)}${unit} (fixed ${told(median(fixed[quantity]))}${unit})`;
 }

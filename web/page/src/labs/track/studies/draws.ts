@@ -4,7 +4,7 @@ import type { Run } from "../../../run";
 import { keyOf, type StudyPlan } from "../../../state/study.svelte";
 import type { AnchorDraws } from "../../../study";
 import { startDrawsWorker } from "../../../workers/start";
-import { drawsPlots } from "./draws-plots";
+import { drawsPlots, drawsSentence } from "./draws-plots";
 
 /** No more points than a plot draws. */
 const PLAN: StudyPlan = { perBlock: 20, firstPicture: 100, most: 500 };
@@ -22,4 +22,5 @@ export const draws: StudyPage<Run, AnchorDraws> = {
   }),
   startWorker: startDrawsWorker,
   plots: ({ averages }) => drawsPlots(averages),
+  told: ({ averages }) => drawsSentence(averages),
 };

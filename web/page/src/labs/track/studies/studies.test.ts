@@ -109,7 +109,7 @@ describe("anchors drawn anew", () => {
     expect(kf.values[39]).toBeCloseTo((filter.redrawn.angle[worst] * 180) / Math.PI, 12);
     expect(new Set(levels[1].values).size).toBe(1);
     expect(levels[1].values[0]).toBeCloseTo((quantiles(filter.fixed.angle, [0.5])[0] * 180) / Math.PI, 12);
-    expect(orientation.note).toContain("±968 m");
+    expect(draws.told?.(picture, picture.scenario)).toContain("±968\u00a0m");
     const redrawn = pictureOf("tracking-paper-redrawn").averages;
     expect(redrawn.halfWidth).toBe(1000);
     expect(redrawn.fixedCondition).toBe(now);
@@ -120,9 +120,9 @@ describe("anchors drawn anew", () => {
     const flat = { ...scenario, anchors: scenario.anchors.map(([x, y]) => [x, y, 3]) };
     const subject = draws.subject(flat, track(scenario));
     const picture = { scenario: flat, averages: averages(subject, (first) => drawsBlock(flat, first), 1) };
-    const [{ x, note }] = draws.plots(picture, flat, track(scenario));
+    const [{ x }] = draws.plots(picture, flat, track(scenario));
     expect(x.now).toBe(Infinity);
     expect(x.marks?.[0].label).toContain("in a plane");
-    expect(note).not.toMatch(/NaN|undefined/);
+    expect(draws.told?.(picture, flat)).not.toMatch(/NaN|undefined/);
   });
 });
