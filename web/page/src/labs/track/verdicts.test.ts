@@ -34,7 +34,7 @@ test("filters within chance are not spoken of", () => {
 
 test("one that is too sure is named, with its mean and what chance reaches", () => {
   const told = neesVerdict([filter("KF", 1), filter("UC-KF", 1.8)], TRIALS);
-  expect(told).toMatch(/^UC-KF is too sure of itself: mean NEES up to 1\.80, chance reaches 1\.[2-4]\d\.$/);
+  expect(told).toMatch(/^UC-KF is too sure of itself: mean NEES up to 1\.80 \(by chance 1\.[2-4]\d\)\.$/);
   expect(nisVerdict([filter("KF", 1, 2), filter("UC-KF", 1)], TRIALS)).toMatch(
     /^KF is too sure .* NIS up to 2\.00/,
   );

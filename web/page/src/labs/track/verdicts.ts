@@ -51,11 +51,11 @@ function outside(name: string, all: readonly Means[], trials: number): string | 
   const sure = found.filter((excess) => excess.above);
   if (sure.length > 0) {
     const most = sure.reduce((one, other) => (other.value > one.value ? other : one));
-    return `${named(sure, all, "is too sure of itself", "are too sure of themselves")}: mean ${name} up to ${formatReading(most.value)}, chance reaches ${formatReading(most.edge)}.`;
+    return `${named(sure, all, "is too sure of itself", "are too sure of themselves")}: mean ${name} up to ${formatReading(most.value)} (by chance ${formatReading(most.edge)}).`;
   }
   if (found.length === 0) return null;
   const least = found.reduce((one, other) => (other.value < one.value ? other : one));
-  return `${named(found, all, "knows more than it claims", "know more than they claim")}: mean ${name} down to ${formatReading(least.value)}, chance reaches ${formatReading(least.edge)}.`;
+  return `${named(found, all, "knows more than it claims", "know more than they claim")}: mean ${name} down to ${formatReading(least.value)} (by chance ${formatReading(least.edge)}).`;
 }
 
 interface Excess {

@@ -9,9 +9,9 @@ import { Interpolation } from "./interpolation";
 export const PAPER = 0.15;
 
 const PARTS = [
-  { part: "first", label: "first step", dash: [2, 4], mark: "disc" },
-  { part: "all", label: "all steps", dash: [], mark: "diamond" },
-  { part: "last", label: "last step", dash: [7, 4], mark: "ring" },
+  { part: "first", label: "step 1", dash: [2, 4], mark: "disc" },
+  { part: "all", label: "all", dash: [], mark: "diamond" },
+  { part: "last", label: "last", dash: [7, 4], mark: "ring" },
 ] as const;
 
 /** Error over projections spent, and both over the threshold: one handle in all of them. */
@@ -158,7 +158,6 @@ export function budgetSentence(curves: BudgetCurves, { estimators }: Scenario): 
   const none = first.value[first.value.length - 1];
   const angle = curves.angle.first.value;
   const turned = error(curves.angle.first) / angle[angle.length - 1];
-  const same = Math.abs(turned - 1) < 0.01 ? " The rotation nearest to Q is no better for it." : "";
-  const reached = `RMSE of Q at the first step ${formatReading(error(first))} instead of ${formatReading(none)}`;
-  return `ε = ${formatNumber(epsilon)}: ${formatReading(spent.at(epsilon))} projections a run; ${reached}, at the last ${formatReading(error(last))}.${same}`;
+  const same = Math.abs(turned - 1) < 0.01 ? " The angle gains nothing." : "";
+  return `ε = ${formatNumber(epsilon)}: ${formatReading(spent.at(epsilon))} projections a run. RMSE of Q at step 1: ${formatReading(error(first))}, without any ${formatReading(none)}; at the last ${formatReading(error(last))}.${same}`;
 }
