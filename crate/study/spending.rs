@@ -112,7 +112,9 @@ impl Flat for AlongRun<Moments> {
     const LENGTH: usize = 3 * Moments::LENGTH;
 
     fn write(&self, to: &mut Vec<f64>) {
-        [self.first, self.all, self.last].iter().for_each(|moments| moments.write(to));
+        for moments in [self.first, self.all, self.last] {
+            moments.write(to);
+        }
     }
 
     fn read(from: &mut Numbers<'_>) -> Self {

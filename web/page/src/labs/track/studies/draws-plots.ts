@@ -8,9 +8,9 @@ import { NO_EVENTS, ORIENTATION, PLAIN, POSITION } from "../plots";
 type Quantity = keyof RunErrors;
 
 const SERIES = [
-  { of: "bound", name: "posterior_crb", label: "posterior CRB", token: "bound", mark: "cross", dash: [7, 4] },
-  { of: "filter", name: "kf", label: "KF", token: "kf", mark: MARKS["kf"], dash: [] },
-  { of: "constrained", name: "uc-kf", label: "UC-KF", token: "uc-kf", mark: MARKS["uc-kf"], dash: [] },
+  { of: "bound", name: "posterior_crb", label: "posterior CRB", token: "bound", mark: "cross" },
+  { of: "filter", name: "kf", label: "KF", token: "kf", mark: MARKS["kf"] },
+  { of: "constrained", name: "uc-kf", label: "UC-KF", token: "uc-kf", mark: MARKS["uc-kf"] },
 ] as const;
 
 /** Errors of each draw over the condition of its anchors; levels where the fixed anchors have them. */
@@ -58,7 +58,7 @@ function linesOf(
   order: readonly number[],
 ): PlotLine[] {
   const plain = { standardErrors: null, events: NO_EVENTS };
-  const points = SERIES.map(({ of, dash: _, ...look }): PlotLine => {
+  const points = SERIES.map(({ of, ...look }): PlotLine => {
     const values = draws[of].redrawn[quantity];
     return {
       ...look,
