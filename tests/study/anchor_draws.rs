@@ -90,7 +90,6 @@ fn the_condition_is_that_of_the_anchors_as_they_are_weighed() {
     let [growing, steady] =
         [RangeNoise::Toa { zeta_db: 60.0 }, RangeNoise::Range { sigma: 0.1 }].map(condition);
     assert!((growing / steady - 1.0).abs() > 0.03, "{growing} and {steady}");
-    assert_eq!(condition(RangeNoise::Toa { zeta_db: 60.0 }), growing);
     let louder = condition(RangeNoise::Toa { zeta_db: 30.0 });
     assert!((louder / growing - 1.0).abs() < 1e-9, "the level of the noise does not matter: {louder}");
 }

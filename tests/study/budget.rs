@@ -35,7 +35,9 @@ fn thresholds_spend_what_the_reference_spends() {
     assert!(agrees(&rows, 0));
     assert!(!agrees(&rows[..5], 1), "a threshold taken for the next one");
     let mut doubled = rows;
-    doubled.iter_mut().for_each(|row| row.projections.value *= 2.0);
+    for row in &mut doubled {
+        row.projections.value *= 2.0;
+    }
     assert!(!agrees(&doubled, 0), "every event counted twice");
 }
 
@@ -44,8 +46,7 @@ fn thresholds_spend_what_the_reference_spends() {
 fn projections_buy_the_matrix_and_not_the_angle() {
     let rows = rows(&[0.0, 0.15, 1e6], 400);
     let [always, paper, never] = rows[..] else { panic!("three thresholds") };
-    assert_eq!(always.projections.value, 20.0);
-    assert_eq!(never.projections.value, 0.0);
+    assert!((always.projections.value - 20.0).abs() < 1e-9 && never.projections.value < 1e-9);
     let gain = |row: &BudgetRow| row.orientation.first.value / never.orientation.first.value;
     // 0.066 and 0.075 of 0.115 in 1000 trials of the reference; common random numbers make the ratios sharp.
     assert!((gain(&always) - 0.574).abs() < 0.03, "{}", gain(&always));
