@@ -30,8 +30,8 @@ export function plotOptions(
     ...size,
     legend: { show: false },
     cursor: { show: false },
-    // The last number of a logarithmic axis stands at its very end.
-    padding: [0.6 * palette.fontSize, (spec.x.scale === "log" ? 1.5 : 1) * palette.fontSize, 0, 0],
+    // Where the axis is not time its last number stands at its very end.
+    padding: [0.6 * palette.fontSize, (spec.x.now === null ? 1 : 1.8) * palette.fontSize, 0, 0],
     scales: {
       x: { time: false, distr: distribution(spec.x.scale), range: () => axisRange(look().spec.x) },
       y: { distr: distribution(scale), range: () => [...look().range] },

@@ -19,6 +19,12 @@ export interface PlotLine {
   readonly points?: boolean;
 }
 
+/** An edit of the scenario, and what it is called. */
+export interface PlotEdit {
+  readonly what: string;
+  readonly scenario: Scenario;
+}
+
 /** What a handle in a plot sets. */
 export interface Handle {
   /** What a reader calls it. */
@@ -30,7 +36,7 @@ export interface Handle {
   readonly label: string;
   readonly token: string;
   /** The edit that sets another value, and what it is called. */
-  edit(value: number): { what: string; scenario: Scenario };
+  edit(value: number): PlotEdit;
 }
 
 /** A level that is dragged in the plot itself. */
@@ -71,6 +77,8 @@ export interface PlotAxis {
   readonly now: number | null;
   readonly handle?: AxisHandle;
   readonly marks?: readonly AxisMark[];
+  /** The edit that brings the scenario to another place on it, where a press on the plot does so. */
+  edit?(value: number): PlotEdit;
 }
 
 export function timeAxis(times: Float64Array): PlotAxis {

@@ -3,4 +3,8 @@ import { localizationBlock, localizeModule } from "../engine/localize";
 import type { Sums, SweepBlock } from "./messages";
 import { serve } from "./serve";
 
-serve<SweepBlock, Sums>(localizeModule, (block) => localizationBlock(block) as Sums, (sums) => [sums.buffer]);
+serve<SweepBlock, Sums>(
+  localizeModule,
+  (block) => localizationBlock(block) as Sums,
+  (sums) => [sums.buffer],
+);
