@@ -36,6 +36,9 @@ export const STATES: readonly State[] = [
   { name: "data table", prepare: (lab) => lab.plotMenu("Orientation error", "Data table") },
   { name: "plot menu", prepare: (lab) => lab.plotMenu("Orientation error") },
   { name: "Monte-Carlo", prepare: (lab) => averages(lab) },
+  { name: "NIS outside", preset: "overconfident", prepare: (lab) => innovations(lab) },
+  { name: "ET budget", preset: "tracking-paper", prepare: (lab) => averages(lab, "ET budget") },
+  { name: "Anchor draws", preset: "tracking-paper-redrawn", prepare: (lab) => drawn(lab) },
   { name: "plot enlarged", prepare: (lab) => enlarge(lab) },
   { name: "sheet open", prepare: (lab) => lab.openSheet() },
   { name: "export menu", prepare: openExport },
@@ -190,8 +193,8 @@ async function enlarge(lab: Lab): Promise<void> {
   await expect(lab.page.locator(".plots figure")).toHaveCount(1);
 }
 
-async function averages(lab: Lab): Promise<void> {
-  await lab.page.getByRole("button", { name: "Monte-Carlo" }).click();
+async function averages(lab: Lab, study = "Monte-Carlo"): Promise<void> {
+  await lab.page.getByRole("button", { name: study, exact: true }).click();
   await stopAtFirst(lab);
 }
 
@@ -201,4 +204,17 @@ async function stopAtFirst(lab: Lab): Promise<void> {
   await expect.poll(async () => Number(await trials.innerText()), { timeout: 60_000 }).toBeGreaterThan(0);
   const stop = lab.page.getByRole("button", { name: "Stop" });
   if (await stop.isEnabled()) await stop.click();
+}
+
+/** All of them are soon there. */
+async function drawn(lab: Lab): Promise<void> {
+  await lab.page.getByRole("button", { name: "Anchor draws" }).click();
+  await expect(lab.page.getByTestId("trials")).toHaveText("500", { timeout: 60_000 });
+}
+
+async function innovations(lab: Lab): Promise<void> {
+  await averages(lab);
+  const chooser = lab.page.getByRole("group", { name: "Plots shown" });
+  const button = chooser.getByRole("button", { name: "NIS" });
+  if ((await button.getAttribute("aria-pressed")) === "false") await button.click();
 }

@@ -41,6 +41,13 @@ export interface LabStudy<R extends LabRun = LabRun, A extends Averages = Averag
   startWorker(): PoolWorker<Block, Sums>;
   /** The scenario at hand and its run may be newer than the picture. */
   plots(picture: StudyPicture<A>, scenario: Scenario, run: R): PlotSpec[];
+  /** What the plots show, in a sentence or two; without it they speak for themselves. */
+  told?(picture: StudyPicture<A>, scenario: Scenario): string;
+}
+
+/** A study whose plots are a page of their own, beside the run and the averages over time. */
+export interface StudyPage<R extends LabRun = LabRun, A extends Averages = Averages> extends LabStudy<R, A> {
+  readonly title: string;
 }
 
 /**
@@ -81,6 +88,7 @@ export interface Lab<R extends LabRun = LabRun> {
   plots?(scenario: Scenario, run: R): PlotSpec[];
   /** Averages over many trials; a lab without it has no such view. */
   readonly study?: LabStudy<R>;
+  readonly studyPages?: readonly StudyPage<R>[];
   marks(run: R): readonly TimelineMarks[];
   /** What the run shows at a step, in a few sentences. */
   describe(run: R, step: number): string;

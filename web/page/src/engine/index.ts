@@ -11,6 +11,7 @@ export * from "./explore";
 export * from "./localize";
 export { type EngineModule, EngineTrap } from "./module";
 export * from "./scene";
+export * from "./studies";
 export * from "./track";
 
 /** By the folder below `wasm/` that each is built into. */

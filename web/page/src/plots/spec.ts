@@ -15,6 +15,8 @@ export interface PlotLine {
   readonly standardErrors: Float64Array | null;
   /** Steps at which a tick is drawn at the floor: something happened. */
   readonly events: readonly number[];
+  /** Whether every value is a point of its own, not joined to its neighbours. */
+  readonly points?: boolean;
 }
 
 /** An edit of the scenario, and what it is called. */
@@ -23,8 +25,8 @@ export interface PlotEdit {
   readonly scenario: Scenario;
 }
 
-/** A level that is dragged in the plot itself. */
-export interface Threshold {
+/** What a handle in a plot sets. */
+export interface Handle {
   /** What a reader calls it. */
   readonly name: string;
   /** What dragging sets. */
@@ -33,10 +35,27 @@ export interface Threshold {
   readonly most: number;
   readonly label: string;
   readonly token: string;
-  /** Where the line lies, a number a step, in proportion to the value. */
-  readonly heights: Float64Array;
   /** The edit that sets another value, and what it is called. */
   edit(value: number): PlotEdit;
+}
+
+/** A level that is dragged in the plot itself. */
+export interface Threshold extends Handle {
+  /** Where the line lies, a number a step, in proportion to the value. */
+  readonly heights: Float64Array;
+}
+
+/** A place along a plot that is dragged in the plot itself. */
+export interface AxisHandle extends Handle {
+  /** Where on the axis a value lies, and which value lies there. */
+  placeOf(value: number): number;
+  valueAt(place: number): number;
+}
+
+/** A place along a plot that is worth knowing. */
+export interface AxisMark {
+  readonly place: number;
+  readonly label: string;
 }
 
 /** Where values are expected. */
@@ -56,6 +75,8 @@ export interface PlotAxis {
   readonly scale: ScaleKind;
   /** Where the scenario lies on it; null for time, along which the timeline's cursor goes. */
   readonly now: number | null;
+  readonly handle?: AxisHandle;
+  readonly marks?: readonly AxisMark[];
   /** The edit that brings the scenario to another place on it, where a press on the plot does so. */
   edit?(value: number): PlotEdit;
 }

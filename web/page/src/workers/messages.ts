@@ -12,6 +12,11 @@ export interface SweepBlock extends Block {
   readonly sweep: readonly RangeNoise[];
 }
 
+/** Trials that one worker runs at each threshold of the ET-KF. */
+export interface BudgetBlock extends Block {
+  readonly thresholds: Float64Array;
+}
+
 /** What a block of trials adds to a study. */
 export type Sums = Float64Array<ArrayBuffer>;
 

@@ -25,6 +25,20 @@ export function startSweepWorker(): PoolWorker<Block, Sums> {
   );
 }
 
+export function startBudgetWorker(): PoolWorker<Block, Sums> {
+  return loaded(
+    new Worker(new URL("./budget-worker.ts", import.meta.url), { type: "module", name: "budget" }),
+    trackModule,
+  );
+}
+
+export function startDrawsWorker(): PoolWorker<Block, Sums> {
+  return loaded(
+    new Worker(new URL("./draws-worker.ts", import.meta.url), { type: "module", name: "draws" }),
+    trackModule,
+  );
+}
+
 export function startPlaceWorker(): PoolWorker<Search, Improvement> {
   return loaded(
     new Worker(new URL("./place-worker.ts", import.meta.url), { type: "module", name: "place" }),

@@ -7,6 +7,8 @@ import { ground, groundLabels } from "../../scene/ground";
 import Controls from "./controls/Panel.svelte";
 import { estimates, ranges, truth } from "./layers";
 import { eventSteps, plots } from "./plots";
+import { budget } from "./studies/budget";
+import { draws } from "./studies/draws";
 import { study } from "./study";
 import { ghost } from "./ghost";
 import Readout from "./Readout.svelte";
@@ -36,6 +38,7 @@ export const lab: Lab<Run> = {
   told,
   plots,
   study,
+  studyPages: [budget, draws],
   marks: (run) =>
     run.estimators
       .filter((estimator) => estimator.name === "et-kf")

@@ -5,6 +5,7 @@ import { keyOf, type StudyPlan } from "../../state/study.svelte";
 import type { StudyCurves } from "../../study";
 import { startStudyWorker } from "../../workers/start";
 import { studyPlots } from "./study-plots";
+import { verdict } from "./verdicts";
 
 const PLAN: StudyPlan = { perBlock: 20, firstPicture: 200, most: 2000 };
 
@@ -31,4 +32,5 @@ export const study: LabStudy<Run, TrackAverages> = {
   }),
   startWorker: startStudyWorker,
   plots: ({ averages }) => studyPlots(averages.times, averages),
+  told: ({ averages }) => verdict(averages),
 };
