@@ -48,7 +48,8 @@ fn one_trial_and_the_cloud_are_those_of_the_crate() {
         assert_eq!(flags, [1.0, f64::from(u8::from(estimate.reflected)), estimate.iterations as f64]);
         let (turned, moved) = errors.split_at(9);
         for row in 0..3 {
-            assert_eq!(moved[row], pose.position[row] - native.truth.position[row]);
+            let error = pose.position[row] - native.truth.position[row];
+            assert_eq!(moved[row].to_bits(), error.to_bits());
             for column in 0..3 {
                 let products = pose.orientation[row].iter().zip(&native.truth.orientation[column]);
                 let entry: f64 = products.map(|(a, b)| a * b).sum();
