@@ -60,12 +60,12 @@ pub fn csv(report: &BudgetReport) -> String {
     let with_errors = figures.flat_map(|name| [name.clone(), format!("{name}_standard_error")]);
     let header: Vec<String> =
         ["epsilon", "failures"].map(str::to_owned).into_iter().chain(with_errors).collect();
-    let mut text = header.join(",") + "\n";
+    let mut lines = vec![header.join(",") + "\n"];
     for row in &report.rows {
         let (q, angle) = (row.orientation, row.angle);
         let figures = [row.projections, q.first, q.all, q.last, angle.first, angle.all, angle.last];
         let cells = figures.map(|figure| format!("{:?},{:?}", figure.value, figure.standard_error));
-        text += &format!("{:?},{},{}\n", row.epsilon, row.failures, cells.join(","));
+        lines.push(format!("{:?},{},{}\n", row.epsilon, row.failures, cells.join(",")));
     }
-    text
+    lines.concat()
 }
