@@ -9,6 +9,7 @@
 //! | [`model`] | anchors, topology, noise, ranges and their normal equations; the documents `Scenario`, `Recording`, `Run` |
 //! | [`localize`] | LS, SUC-LS, OUC-LS, their total least squares, maximum likelihood: the pose from one epoch alone |
 //! | [`track`] | KF, KF-ortho, UC-KF, ET-KF and the error-state filter, all on one update |
+//! | [`inertial`] | an IMU and ranges: EKF, UKF, their Riemannian forms, and the yardsticks on SO(3) |
 //! | [`bounds`] | CRB, UC-CRB and the posterior bounds: how well any estimator could do |
 //! | [`simulate`] | a scenario made into a recording, one random stream a trial |
 //! | [`study`] | one run or many, with standard errors |
@@ -19,7 +20,8 @@
 //!
 //! The papers are cited as \[T\], *Tracking Position and Orientation of a Mobile Rigid Body* (S. P. Chepuri,
 //! A. Simonetto, G. Leus, A.-J. van der Veen), and \[L\], *Rigid Body Localization Using Sensor Networks* (S. P. Chepuri,
-//! G. Leus, A.-J. van der Veen, 2013); equations are corrected where they are misprinted.
+//! G. Leus, A.-J. van der Veen, 2013), \[I\], *Indoor Position and Attitude Tracking with SO(3) Manifold* (H. Salem,
+//! M. Ahmed, M. AlSharif, A. Muqaibel, T. Al-Naffouri); equations are corrected where they are misprinted.
 //!
 //! Every function is pure and gives the same bits natively and in WebAssembly: the crate is `no_std`, has no clock, no
 //! files, no threads and no global randomness, and takes its sines from `libm`.
@@ -30,6 +32,7 @@ extern crate alloc;
 
 pub mod bounds;
 pub mod error;
+pub mod inertial;
 pub mod localize;
 pub mod math;
 pub mod model;

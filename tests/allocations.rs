@@ -6,13 +6,17 @@ mod support;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
+use rangelab::inertial::inertial_filter;
 use rangelab::math::pose::{Pose, Theta};
 use rangelab::model::epoch::{Epoch, Initial, Recording};
 use rangelab::model::estimator_settings::{EstimatorName, EstimatorSettings, Metric};
+use rangelab::model::indoor::filter_settings::{FilterName, FilterSettings, FrontEndKind, Transport};
+use rangelab::model::indoor::presets::indoor_preset;
 use rangelab::model::motion::{Motion, ProcessNoise};
 use rangelab::model::noise::RangeNoise;
 use rangelab::model::ranges::Ranges;
 use rangelab::model::ranging::{RangeModel, Weighting};
+use rangelab::simulate::indoor::simulate_indoor;
 use support::sampling::Sampler;
 
 struct Counting;
@@ -114,4 +118,22 @@ fn the_counter_counts<const D: usize>() {
     let recording = recording::<D>(&mut Sampler::new(2), [4, 5], Weighting::Common, 0.0);
     let build = || rangelab::track::estimator(EstimatorName::Kf, &EstimatorSettings::default(), &recording);
     assert!(allocations(build).0 > 0, "building an estimator allocates");
+}
+
+#[test]
+fn a_step_of_an_inertial_filter_allocates_nothing() {
+    let scenario = indoor_preset("indoor-u").unwrap();
+    let recording = simulate_indoor(&scenario, 0).unwrap();
+    let kinds = [FrontEndKind::GaussNewton, FrontEndKind::Isosceles];
+    for (front_end, transport) in kinds.into_iter().zip([Transport::Congruence, Transport::Literal]) {
+        let settings = FilterSettings { front_end, transport, ..scenario.filters.clone() };
+        for name in FilterName::ALL {
+            let mut filter = inertial_filter(name, &settings, &recording.model, &recording.start).unwrap();
+            for epoch in &recording.epochs {
+                let (count, step) = allocations(|| filter.step(epoch));
+                assert!(step.is_ok(), "{name}: {step:?}");
+                assert_eq!(count, 0, "{name}, {front_end:?}, {transport:?}");
+            }
+        }
+    }
 }

@@ -4,6 +4,8 @@
 
 #[path = "golden/fingerprint.rs"]
 mod fingerprint;
+#[path = "golden/indoor.rs"]
+mod indoor;
 
 use std::fs;
 use std::path::PathBuf;
@@ -112,5 +114,6 @@ fn write_the_golden_files() {
     fs::write(beside("studies.txt"), studies()).unwrap();
     fs::write(beside("figures.txt"), figures()).unwrap();
     fs::write(beside("geometry.txt"), geometry_fingerprints()).unwrap();
+    fs::write(beside("indoor.txt"), indoor::indoor_fingerprints()).unwrap();
     fs::write(beside("snapshots.txt"), snapshot_fingerprints()).unwrap();
 }

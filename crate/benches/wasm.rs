@@ -4,13 +4,17 @@
 #[allow(dead_code, reason = "the table is printed natively")]
 mod cases;
 mod field_case;
+mod indoor_case;
 
 use std::cell::RefCell;
 
 use cases::{CASES, Running};
+use indoor_case::IndoorCase;
+use rangelab::model::indoor::filter_settings::FilterName;
 
 thread_local! {
     static RUNNING: RefCell<Option<Running>> = const { RefCell::new(None) };
+    static INDOOR: IndoorCase = IndoorCase::new();
 }
 
 /// Number of cases.
@@ -35,4 +39,10 @@ pub extern "C" fn steps(count: usize) -> f64 {
 #[unsafe(no_mangle)]
 pub extern "C" fn field(case: usize) -> f64 {
     field_case::pass(case)
+}
+
+/// Runs all inertial filters over one recording.
+#[unsafe(no_mangle)]
+pub extern "C" fn indoor() -> f64 {
+    INDOOR.with(|case| case.run(&FilterName::ALL))
 }

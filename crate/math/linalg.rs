@@ -100,3 +100,14 @@ pub fn add_outer<const D: usize>(
         }
     }
 }
+
+/// Inverse of a 3 x 3 matrix that is known not to be singular, by cofactors.
+pub fn general_inverse(a: &SMatrix<f64, 3, 3>) -> SMatrix<f64, 3, 3> {
+    let minor = |i: usize, j: usize| {
+        let (p, q) = ((i + 1) % 3, (i + 2) % 3);
+        let (r, s) = ((j + 1) % 3, (j + 2) % 3);
+        a[(p, r)] * a[(q, s)] - a[(p, s)] * a[(q, r)]
+    };
+    let determinant = a[(0, 0)] * minor(0, 0) + a[(0, 1)] * minor(0, 1) + a[(0, 2)] * minor(0, 2);
+    SMatrix::<f64, 3, 3>::from_fn(|i, j| minor(j, i) / determinant)
+}

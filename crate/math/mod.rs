@@ -2,6 +2,8 @@
 
 pub mod block;
 pub mod chi_squared;
+pub mod cholesky;
+pub mod exponential_integral;
 pub mod float;
 pub mod linalg;
 pub mod newton;

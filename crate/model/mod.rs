@@ -8,6 +8,8 @@ pub mod document;
 pub mod epoch;
 pub mod estimator_settings;
 pub mod field_settings;
+pub mod imu;
+pub mod indoor;
 pub mod lack;
 pub mod localize_settings;
 pub mod motion;

@@ -9,7 +9,7 @@
 //! | [`zone`] | where anchors may stand |
 //! | [`optimise`] | the search within it |
 //! | [`next`] | that number with one more anchor, over a plane |
-//! | [`best_next`] | the best place of one more anchor |
+//! | [`mod@best_next`] | the best place of one more anchor |
 //! | [`landscape`] | the field of a scenario, whatever it shows |
 //! | [`mod@advise`] | the value and slope of a scenario's anchors |
 //! | [`mod@improve`] | a scenario with its anchors moved |

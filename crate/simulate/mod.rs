@@ -1,6 +1,8 @@
 //! Floor 2: recordings drawn from a scenario. No estimator imports this: what is true reaches nobody but
 //! [`Recording::truth`](crate::model::epoch::Recording::truth).
 
+pub mod imu;
+pub mod indoor;
 pub mod measure;
 pub mod mounting;
 pub mod random;

@@ -73,6 +73,8 @@ pub struct Summary {
     pub nees_degrees_of_freedom: usize,
     /// Mean NIS over mean degrees of freedom.
     pub nis: Estimate,
+    /// Mean degrees of freedom of the NIS, which missing ranges lower.
+    pub nis_degrees_of_freedom: f64,
     /// Share of trials in which `Q` was projected.
     pub event_rate: Estimate,
     /// Share of trials in which the reported `Q` mirrors the body.
@@ -143,6 +145,7 @@ impl Tally {
             nees: scaled(moments(Figure::Nees).mean(), self.nees_freedom as f64),
             nees_degrees_of_freedom: self.nees_freedom,
             nis: scaled(moments(Figure::Nis).mean(), moments(Figure::NisFreedom).mean().value),
+            nis_degrees_of_freedom: moments(Figure::NisFreedom).mean().value,
             event_rate: moments(Figure::Events).mean(),
             reflection_rate: moments(Figure::Reflections).mean(),
         }

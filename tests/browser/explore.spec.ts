@@ -118,6 +118,29 @@ test("anchors in one plane hide a mirror image, and motions off the plane from p
   await expect(page.locator(".scene .note")).toContainText("no range sees");
 });
 
+test("at rest the field gets finer in workers, and where there are none in idle moments: to the same picture", async ({
+  page,
+  context,
+}) => {
+  const lab = await openExplore(page);
+  await expect.poll(() => page.workers().some((worker) => worker.url().includes("field-worker"))).toBe(true);
+  // The other page begins as this one did.
+  await page.evaluate(() => localStorage.clear());
+  const alone = await context.newPage();
+  await alone.addInitScript(() => {
+    window.Worker = class {
+      constructor() {
+        throw new Error("There are no workers here.");
+      }
+    } as unknown as typeof Worker;
+  });
+  const other = await openExplore(alone);
+  const same = async () => (await lab.surface.screenshot()).equals(await other.surface.screenshot());
+  await expect.poll(same, { timeout: 30_000 }).toBe(true);
+  expect(alone.workers()).toEqual([]);
+  await expect(other.alert).toBeEmpty();
+});
+
 test("every preset can be explored, with numbers or a reason why there are none", async ({ page }) => {
   const health = new Health(page);
   const lab = await openExplore(page);

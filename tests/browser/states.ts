@@ -36,12 +36,19 @@ export const STATES: readonly State[] = [
   { name: "data table", prepare: (lab) => lab.plotMenu("Orientation error", "Data table") },
   { name: "plot menu", prepare: (lab) => lab.plotMenu("Orientation error") },
   { name: "Monte-Carlo", prepare: (lab) => averages(lab) },
+  { name: "NIS outside", preset: "overconfident", prepare: (lab) => innovations(lab) },
+  { name: "ET budget", preset: "tracking-paper", prepare: (lab) => averages(lab, "ET budget") },
+  { name: "Anchor draws", preset: "tracking-paper-redrawn", prepare: (lab) => drawn(lab) },
   { name: "plot enlarged", prepare: (lab) => enlarge(lab) },
   { name: "sheet open", prepare: (lab) => lab.openSheet() },
   { name: "export menu", prepare: openExport },
   { name: "parts put away", prepare: putAway },
   { name: "scene restored", prepare: restore },
   { name: "fault told", prepare: fault },
+  { name: "Localize", prepare: (lab) => localize(lab) },
+  { name: "Localize, mirrored", preset: "localization-paper", prepare: localizeMirrored },
+  { name: "Localize, groups open", prepare: localizeOpen },
+  { name: "Localize, planar", preset: "planar", prepare: (lab) => localize(lab) },
   { name: "Explore", prepare: (lab) => explore(lab) },
   { name: "Explore, groups open", prepare: exploreOpen },
   { name: "Explore, next anchor", prepare: exploreNext },
@@ -154,6 +161,30 @@ async function explore(lab: Lab): Promise<void> {
   await expect(lab.page.getByRole("table", { name: "Bounds of one epoch" })).toBeVisible();
 }
 
+async function localize(lab: Lab): Promise<void> {
+  await lab.page.getByRole("navigation", { name: "Labs" }).getByRole("button", { name: "Localize" }).click();
+  await expect(lab.page.getByRole("table", { name: "Errors of the localizers" })).toBeVisible();
+  await stopAtFirst(lab);
+}
+
+async function localizeMirrored(lab: Lab): Promise<void> {
+  await localize(lab);
+  await lab.openSheet();
+  await lab.type("Signal to noise ζ", "35");
+  await lab.pick("Group", "O(D)");
+  const close = lab.page.getByRole("button", { name: "Close", exact: true });
+  if (await close.isVisible()) await close.click();
+  await lab.page.getByRole("button", { name: "Go on" }).click();
+  await stopAtFirst(lab);
+}
+
+async function localizeOpen(lab: Lab): Promise<void> {
+  await localize(lab);
+  await lab.openGroups();
+  await lab.pick("OUC-TLS assumes", "its own");
+  await lab.pick("Loss of ML", "Huber");
+}
+
 async function chooseSensor(lab: Lab): Promise<void> {
   await explore(lab);
   await lab.openGroup("Sensors on the body");
@@ -183,10 +214,28 @@ async function enlarge(lab: Lab): Promise<void> {
   await expect(lab.page.locator(".plots figure")).toHaveCount(1);
 }
 
+async function averages(lab: Lab, study = "Monte-Carlo"): Promise<void> {
+  await lab.page.getByRole("button", { name: study, exact: true }).click();
+  await stopAtFirst(lab);
+}
+
 /** The first averages, and no more: pictures of a state do not change by themselves. */
-async function averages(lab: Lab): Promise<void> {
-  await lab.page.getByRole("button", { name: "Monte-Carlo" }).click();
+async function stopAtFirst(lab: Lab): Promise<void> {
   const trials = lab.page.getByTestId("trials");
   await expect.poll(async () => Number(await trials.innerText()), { timeout: 60_000 }).toBeGreaterThan(0);
-  await lab.page.getByRole("button", { name: "Stop" }).click();
+  const stop = lab.page.getByRole("button", { name: "Stop" });
+  if (await stop.isEnabled()) await stop.click();
+}
+
+/** All of them are soon there. */
+async function drawn(lab: Lab): Promise<void> {
+  await lab.page.getByRole("button", { name: "Anchor draws" }).click();
+  await expect(lab.page.getByTestId("trials")).toHaveText("500", { timeout: 60_000 });
+}
+
+async function innovations(lab: Lab): Promise<void> {
+  await averages(lab);
+  const chooser = lab.page.getByRole("group", { name: "Plots shown" });
+  const button = chooser.getByRole("button", { name: "NIS" });
+  if ((await button.getAttribute("aria-pressed")) === "false") await button.click();
 }

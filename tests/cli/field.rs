@@ -237,10 +237,11 @@ fn dark_along(scenario: &Scenario, name: &str, options: &[&str], from: [f64; 2],
     assert_eq!((layout.corner[0], layout.u[0], layout.v[1]), (-1.0, 8.0, 7.0));
     let dark = |k: i32| {
         let at = |axis: usize| from[axis] + f64::from(k) / 200.0 * (to[axis] - from[axis]);
+        let pixel = |x: f64| (0..width).find(|i| *i as f64 + 0.5 > x).unwrap();
         let (column, row) = (88.0 + 80.0 * (at(0) + 1.0), 88.0 + 80.0 * (6.0 - at(1)));
-        pixels[row.round() as usize * width + column.round() as usize] == INK
+        pixels[pixel(row) * width + pixel(column)] == INK
     };
-    f64::from((0..=200).filter(|k| dark(*k)).count() as u32) / 201.0
+    (0..=200).filter(|k| dark(*k)).count() as f64 / 201.0
 }
 
 #[test]

@@ -25,7 +25,14 @@ const FOREIGN: [(&str, &[&str]); 3] = [
     ("crate/", &OUTSIDE),
     (
         "web/scene/",
-        &["rangelab", "rangelab_track", "rangelab_explore", "rangelab_figures", "rangelab_wasm_shared"],
+        &[
+            "rangelab",
+            "rangelab_track",
+            "rangelab_explore",
+            "rangelab_localize",
+            "rangelab_figures",
+            "rangelab_wasm_shared",
+        ],
     ),
     ("web/wasm/", &["rangelab_scene", "wgpu"]),
 ];

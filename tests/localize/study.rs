@@ -71,10 +71,18 @@ fn clouds_are_the_trials() {
             let numbers = &cloud[(trial * names + index) * stride..][..stride];
             match &estimate.pose {
                 Some(pose) => {
-                    let expected: Vec<f64> =
-                        pose.orientation.iter().flatten().chain(&pose.position).copied().collect();
-                    assert_eq!(numbers[2..], expected, "{}", estimate.label);
-                    assert_eq!(numbers[..2], [1.0, f64::from(u8::from(estimate.reflected))]);
+                    let mirrored = f64::from(u8::from(estimate.reflected));
+                    assert_eq!(numbers[..3], [1.0, mirrored, estimate.iterations as f64]);
+                    let (turned, moved) = numbers[3..].split_at(9);
+                    for row in 0..3 {
+                        let error = pose.position[row] - run.truth.position[row];
+                        assert_eq!(moved[row], error, "{}", estimate.label);
+                        for (column, true_row) in run.truth.orientation.iter().enumerate() {
+                            let products = pose.orientation[row].iter().zip(true_row);
+                            let entry: f64 = products.map(|(a, b)| a * b).sum();
+                            assert!((turned[3 * row + column] - entry).abs() < 1e-12, "{}", estimate.label);
+                        }
+                    }
                 }
                 None => assert!(numbers.iter().all(|x| *x == 0.0)),
             }

@@ -294,7 +294,8 @@ fn indoor_presets_stay_indoors() {
             "planar" => stays_between("planar", [10.0, 8.0]),
             "figure-eight" => stays_between("figure-eight", [22.0, 8.0]),
             "corridor" => stays_between("corridor", [32.0, 3.0]),
-            "towers" | "tracking-paper" | "tracking-paper-redrawn" => (),
+            "towers" => (),
+            paper if paper.contains("-paper") => (),
             name => stays_between(name, [6.0, 5.0, 2.8]),
         }
     }

@@ -4,7 +4,7 @@
 #[path = "../golden/fingerprint.rs"]
 mod fingerprint;
 
-use fingerprint::{geometry_fingerprints, snapshot_fingerprints};
+use fingerprint::geometry_fingerprints;
 use rangelab::model::presets::preset;
 use rangelab_explore::{
     advise, explore, field_layout, field_parameters, field_probe, field_program, field_rows, improve,
@@ -18,11 +18,6 @@ wasm_bindgen_test_configure!(run_in_browser);
 #[wasm_bindgen_test]
 fn fields_and_placements_give_the_golden_bits() {
     assert_eq!(geometry_fingerprints(), include_str!("../golden/geometry.txt"));
-}
-
-#[wasm_bindgen_test]
-fn snapshots_give_the_golden_bits() {
-    assert_eq!(snapshot_fingerprints(), include_str!("../golden/snapshots.txt"));
 }
 
 /// The rows that workers give are those of the crate, in the single precision that colours need.

@@ -1,4 +1,4 @@
-//! The laws of the mathematics, in the browser: the same files that run natively.
+//! The laws of the mathematics, in the browser: the same files that run natively; and the golden bits of the Indoor lab.
 #![cfg(target_arch = "wasm32")]
 #![allow(clippy::float_cmp, reason = "where bits are compared, bits are meant")]
 
@@ -6,6 +6,11 @@ wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_browser);
 
 #[path = "../support/mod.rs"]
 mod support;
+
+#[path = "../golden/fingerprint.rs"]
+mod fingerprint;
+#[path = "../golden/indoor.rs"]
+mod indoor;
 
 #[path = "../laws/chi_squared.rs"]
 mod chi_squared;

@@ -1,11 +1,13 @@
 //! `rangelab study`: many trials, and what they say.
 
+mod budget;
 mod columns;
 mod comparison;
 mod table;
 
 use clap::{Args, ValueEnum};
 use rangelab::model::scenario::Scenario;
+use rangelab::study::budget::{Budget, BudgetReport};
 use rangelab::study::monte_carlo::MonteCarlo;
 use rangelab::study::report::StudyReport;
 
@@ -21,6 +23,8 @@ Examples:
   rangelab study tracking-paper-redrawn --trials 1000    the same, new anchors in every trial
   rangelab study room --estimators uc-kf,eskf --steps 50 --steps-shown 0,9,49
   rangelab study mine.json --format csv -o study.csv     every step and figure, for a plot
+  rangelab study tracking-paper --thresholds 0.05,0.1,0.15,0.2,0.3
+                                                         what the projections of the ET-KF cost and give
 
 The table holds root mean square errors with their standard errors, their ratios to the posterior Cramer-Rao bound and \
 to what the estimator's own covariance claims, NEES, and how often Q was projected.
@@ -52,6 +56,10 @@ pub struct StudyCommand {
     #[arg(long, value_name = "STEPS", value_delimiter = ',', help_heading = "Output")]
     steps_shown: Option<Vec<usize>>,
 
+    /// Instead of the averages: errors of the ET-KF and projections in a run at these thresholds, separated by commas
+    #[arg(long, value_name = "EPSILONS", value_delimiter = ',', conflicts_with = "steps_shown")]
+    thresholds: Option<Vec<f64>>,
+
     #[command(flatten)]
     output: Output,
 }
@@ -66,14 +74,20 @@ enum StudyFormat {
 impl StudyCommand {
     pub fn execute(&self) -> Result<(), Failure> {
         let scenario = self.scenario.scenario(|scenario| self.choices.apply(&mut scenario.estimators))?;
+        if let Some(thresholds) = &self.thresholds {
+            let report = self.budget(&scenario, thresholds)?;
+            return self.output.write(&match self.format {
+                StudyFormat::Table => budget::table(&report),
+                StudyFormat::Csv => budget::csv(&report),
+                StudyFormat::Json => json(&report),
+            });
+        }
         let steps = self.steps(scenario.steps)?;
         let report = self.study(&scenario)?;
         self.output.write(&match self.format {
             StudyFormat::Table => table::table(&report, &steps),
             StudyFormat::Csv => columns::csv(&report),
-            StudyFormat::Json => {
-                serde_json::to_string(&report).expect("numbers and texts always have a JSON form")
-            }
+            StudyFormat::Json => json(&report),
         })
     }
 
@@ -90,6 +104,19 @@ impl StudyCommand {
         Ok(study.report(&total))
     }
 
+    fn budget(&self, scenario: &Scenario, thresholds: &[f64]) -> Result<BudgetReport, Failure> {
+        let about = |error| Failure::about(self.scenario.name(), &error);
+        let budget = Budget::new(scenario, thresholds, self.trials).map_err(about)?;
+        let mut total = budget.start();
+        let jobs = Jobs {
+            count: budget.blocks(),
+            job: |index| budget.block(index),
+            merge: |block| total.merge(&block),
+        };
+        jobs.run(self.scenario.name(), self.threads.count())?;
+        Ok(budget.report(&total))
+    }
+
     /// The steps of the table.
     fn steps(&self, count: usize) -> Result<Vec<usize>, Failure> {
         let Some(given) = &self.steps_shown else {
@@ -104,4 +131,8 @@ impl StudyCommand {
             ))),
         }
     }
+}
+
+fn json(report: &impl serde::Serialize) -> String {
+    serde_json::to_string(report).expect("numbers and texts always have a JSON form")
 }

@@ -7,8 +7,8 @@ use core::fmt::{self, Display};
 
 use nalgebra::SMatrix;
 
-use super::VERSION;
 use super::entries::{PoseEntries, matrix_from_rows};
+use super::{VERSION, write};
 use crate::error::{Error, Problem, Result};
 use crate::math::rotation::Rotation;
 use crate::model::noise::RangeNoise;
@@ -21,6 +21,10 @@ pub const MAX_STEPS: usize = 10_000;
 pub const MAX_RANGES: usize = 20_000_000;
 /// Longest name, in bytes.
 pub const MAX_NAME: usize = 200;
+/// Seeds up to here are exact in JavaScript.
+const MAX_SEED: u64 = 1 << 53;
+/// Longest `view` as JSON, in bytes.
+const MAX_VIEW: usize = 10_000;
 
 /// The numbers that are allowed at one place.
 #[derive(Clone, Copy)]
@@ -41,6 +45,7 @@ impl Limit {
     pub const ANGLE_NOISE: Self = Self::from(0.0, 1e6, " rad");
     pub const ANGLE: Self = Self::from(-1e3, 1e3, " rad");
     pub const ANGLE_LIMIT: Self = Self::above_zero(1e6, " rad");
+    pub const SPEED_LIMIT: Self = Self::above_zero(1e6, " m/s");
     pub const INTERVAL: Self = Self::above_zero(1e6, " s");
     pub const PERIOD: Self = Self::from(1e-6, 1e9, " s");
     pub const PROBABILITY: Self = Self::from(0.0, 1.0, "");
@@ -48,6 +53,10 @@ impl Limit {
     pub const EPSILON: Self = Self::from(0.0, 1e6, "");
     pub const HUBER_SCALE: Self = Self::above_zero(1e6, " standard deviations");
     pub const ENTRY: Self = Self::from(-1e6, 1e6, "");
+    pub const RATE: Self = Self::from(1e-3, 1e5, " Hz");
+    pub const DENSITY: Self = Self::from(0.0, 1e6, "");
+    pub const ACCELERATION: Self = Self::from(-1e6, 1e6, " m/s^2");
+    pub const GRAVITY: Self = Self::from(0.0, 1e3, " m/s^2");
     pub const RANGE: Self = Self::from(0.0, 1e10, " m");
     pub const SQUARED_RANGE: Self = Self::from(-1e20, 1e20, " m^2");
 
@@ -134,6 +143,27 @@ impl Check {
                 "name",
                 format_args!("{} bytes long", name.len()),
                 format_args!("at most {MAX_NAME} bytes"),
+            );
+        }
+    }
+
+    pub fn seed(&mut self, seed: u64) {
+        if seed > MAX_SEED {
+            self.problem("seed", seed, format_args!("0 to {MAX_SEED} (2^53)"));
+        }
+    }
+
+    pub fn view(&mut self, view: Option<&serde_json::Value>) {
+        let Some(view) = view else { return };
+        if !view.is_object() {
+            self.problem("view", view, "null or an object");
+        }
+        let length = write(view).len();
+        if length > MAX_VIEW {
+            self.problem(
+                "view",
+                format_args!("{length} bytes long"),
+                format_args!("at most {MAX_VIEW} bytes"),
             );
         }
     }

@@ -7,14 +7,8 @@ use crate::error::Problem;
 use crate::math::rotation::rotation_angles;
 use crate::model::availability;
 use crate::model::document::check::{Check, Limit, MAX_STEPS};
-use crate::model::document::write;
 use crate::model::motion::ProcessNoise;
 use crate::model::path;
-
-/// Seeds up to here are exact in JavaScript.
-const MAX_SEED: u64 = 1 << 53;
-/// Longest `view` as JSON, in bytes.
-const MAX_VIEW: usize = 10_000;
 
 pub fn problems(scenario: &Scenario) -> Vec<Problem> {
     let mut check = Check::default();
@@ -34,9 +28,7 @@ pub fn problems(scenario: &Scenario) -> Vec<Problem> {
         check.problem("steps", scenario.steps, format_args!("1 to {MAX_STEPS}"));
     }
     check.total_ranges("steps", scenario.anchors.len(), scenario.sensors.len(), scenario.steps);
-    if scenario.seed > MAX_SEED {
-        check.problem("seed", scenario.seed, format_args!("0 to {MAX_SEED} (2^53)"));
-    }
+    check.seed(scenario.seed);
     motion(&mut check, &scenario.motion, dimension);
     if let Some(settings) = &scenario.motion.path {
         path::check(&mut check, settings, dimension, &scenario.start.position);
@@ -50,7 +42,7 @@ pub fn problems(scenario: &Scenario) -> Vec<Problem> {
     scenario.field.check(&mut check, dimension);
     scenario.placement.check(&mut check, anchors, dimension);
     scenario.localize.check(&mut check);
-    view(&mut check, scenario.view.as_ref());
+    check.view(scenario.view.as_ref());
     check.into_problems()
 }
 
@@ -71,15 +63,4 @@ pub(in crate::model) fn initial(check: &mut Check, initial: &InitialSettings, di
 pub(in crate::model) fn process(check: &mut Check, process: &ProcessNoise) {
     check.number("process.sigma_q", process.sigma_q, Limit::ANGLE_NOISE);
     check.number("process.sigma_t", process.sigma_t, Limit::POSITION_NOISE);
-}
-
-fn view(check: &mut Check, view: Option<&serde_json::Value>) {
-    let Some(view) = view else { return };
-    if !view.is_object() {
-        check.problem("view", view, "null or an object");
-    }
-    let length = write(view).len();
-    if length > MAX_VIEW {
-        check.problem("view", format_args!("{length} bytes long"), format_args!("at most {MAX_VIEW} bytes"));
-    }
 }

@@ -92,11 +92,13 @@ pub fn localize_trial(scenario: &Scenario, trial: u64) -> Result<SnapshotRun> {
 
 /// Numbers for each estimator in each trial of [`localization_cloud`].
 pub const fn cloud_stride(dimension: usize) -> usize {
-    2 + dimension * (dimension + 1)
+    3 + dimension * (dimension + 1)
 }
 
-/// The estimates of trials `first..first + trials`, trial by trial, estimator by estimator (as enabled): 1 where there is a pose
-/// and else 0, 1 where it mirrors the body, `Q` row by row, `t`; zeros where there is no pose.
+/// The estimates of trials `first..first + trials` as seen from the truth of each, for trials move the body before the first
+/// epoch. Trial by trial, estimator by estimator (as enabled): 1 where there is a pose and else 0, 1 where it mirrors the
+/// body, iterations, `Q_hat Q^T` row by row (the identity where there is no error), `t_hat - t` (m); zeros where there is no
+/// pose.
 ///
 /// # Errors
 /// When the scenario is not valid or a range overflows.
@@ -105,7 +107,7 @@ pub fn localization_cloud(scenario: &Scenario, first: u64, trials: u64) -> Resul
         let mut cloud = Vec::new();
         for trial in first..first + trials {
             let recording = first_epoch::<D>(scenario, trial)?;
-            push_poses(scenario, &recording, &mut cloud)?;
+            push_errors(scenario, &recording, &mut cloud)?;
         }
         Ok(cloud)
     })
@@ -115,21 +117,25 @@ fn first_epoch<const D: usize>(scenario: &Scenario, trial: u64) -> Result<Record
     simulate(&Scenario { steps: 1, ..scenario.clone() }, trial)
 }
 
-fn push_poses<const D: usize>(
+fn push_errors<const D: usize>(
     scenario: &Scenario,
     recording: &Recording<D>,
     cloud: &mut Vec<f64>,
 ) -> Result<()> {
     let epoch = &recording.epochs[0];
+    let truth = recording.truth[0].unwrap_or_else(Pose::identity);
     let snapshot = Snapshot::new(&recording.model, &epoch.ranges, epoch.weight_ranges())?;
     for &name in &scenario.localize.enabled {
         let estimate = localize(name, &snapshot, &scenario.localize, scenario.mounting_sigma).ok();
-        let theta = estimate.and_then(|estimate| estimate.theta);
-        let reflected = estimate.is_some_and(|estimate| estimate.reflected);
-        let flag = |x: bool| f64::from(u8::from(x));
-        cloud.extend([flag(theta.is_some()), flag(reflected)]);
-        let theta = theta.unwrap_or_default();
-        cloud.extend(theta.orientation.transpose().iter().chain(theta.position.iter()));
+        let found = estimate.and_then(|estimate| Some((estimate, estimate.theta?)));
+        let Some((estimate, theta)) = found else {
+            cloud.extend(core::iter::repeat_n(0.0, cloud_stride(D)));
+            continue;
+        };
+        cloud.extend([1.0, f64::from(u8::from(estimate.reflected)), estimate.iterations as f64]);
+        // Columns of the transpose are rows.
+        let turned = truth.rotation.matrix() * theta.orientation.transpose();
+        cloud.extend(turned.iter().chain((theta.position - truth.position).iter()));
     }
     Ok(())
 }

@@ -7,7 +7,9 @@ import type { Shape } from "./scene/draw-list";
 import type { FieldPicture } from "./scene/field";
 import type { Label, Layer, SceneInput } from "./scene/input";
 import type { Drawing, Handle } from "./state/handles";
-import type { StudyCurves } from "./study";
+import type { Averages, StudyPicture, StudySubject } from "./state/study.svelte";
+import type { Block, Sums } from "./workers/messages";
+import type { PoolWorker } from "./workers/pool";
 
 /** What every lab's run has: all that the frame itself reads of it. */
 export interface LabRun {
@@ -29,6 +31,23 @@ export interface TimelineMarks {
   readonly token: string;
   readonly mark: Shape;
   readonly steps: readonly number[];
+}
+
+/** Averages over many trials of a lab's scenarios, and their plots. */
+export interface LabStudy<R extends LabRun = LabRun, A extends Averages = Averages> {
+  /** Whether the plots are always of the averages: then there is no run of its own to go back to. */
+  readonly always: boolean;
+  subject(scenario: Scenario, run: R): StudySubject<A>;
+  startWorker(): PoolWorker<Block, Sums>;
+  /** The scenario at hand and its run may be newer than the picture. */
+  plots(picture: StudyPicture<A>, scenario: Scenario, run: R): PlotSpec[];
+  /** What the plots show, in a sentence or two; without it they speak for themselves. */
+  told?(picture: StudyPicture<A>, scenario: Scenario): string;
+}
+
+/** A study whose plots are a page of their own, beside the run and the averages over time. */
+export interface StudyPage<R extends LabRun = LabRun, A extends Averages = Averages> extends LabStudy<R, A> {
+  readonly title: string;
 }
 
 /**
@@ -67,8 +86,9 @@ export interface Lab<R extends LabRun = LabRun> {
   told(input: SceneInput<R>): readonly string[];
   /** A lab without it has no pane of plots. */
   plots?(scenario: Scenario, run: R): PlotSpec[];
-  /** The same plots of the averages over many trials; a lab without it has no such view. */
-  studyPlots?(times: Float64Array, study: StudyCurves): PlotSpec[];
+  /** Averages over many trials; a lab without it has no such view. */
+  readonly study?: LabStudy<R>;
+  readonly studyPages?: readonly StudyPage<R>[];
   marks(run: R): readonly TimelineMarks[];
   /** What the run shows at a step, in a few sentences. */
   describe(run: R, step: number): string;

@@ -26,6 +26,10 @@ export interface EstimatorRun extends PoseTrack {
   readonly nees: Float64Array;
   /** Their mean where the covariance is right; 0 where the truth is not known. */
   readonly neesDegreesOfFreedom: number;
+  /** Normalized innovations squared. */
+  readonly nis: Float64Array;
+  /** Their mean where the filter expects what comes, a number a step: missing ranges lower it. */
+  readonly nisDegreesOfFreedom: Uint32Array;
   /** K x D x D, square metres. */
   readonly positionCovariances: Float64Array;
   /** Of the error's rotation vector in the world frame: K x A x A, rad^2. It means something well below 1 rad^2. */

@@ -3,18 +3,23 @@
 //! It is a thin facade over rangelab and does no arithmetic of its own but the roots of variances. What goes wrong is thrown as an `Error` whose message is
 //! a sentence.
 
+mod budget;
+mod draws;
 mod study;
 mod track_run;
 
 use rangelab::model::presets::PRESETS;
 use rangelab::model::scenario::Scenario;
 use rangelab::model::topologies;
+use rangelab::study::monte_carlo::TRIALS_PER_BLOCK;
 use rangelab::study::track_run::run_scenario;
 use rangelab::{Error, Problem};
 use rangelab_wasm_shared::json;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
+pub use budget::{BudgetSum, budget_block};
+pub use draws::{DrawList, draws_block, draws_half_width, quantiles};
 pub use study::{StudySum, study_block};
 pub use track_run::TrackRun;
 
@@ -77,6 +82,15 @@ pub fn validate(scenario: &str) -> String {
 #[wasm_bindgen]
 pub fn track(scenario: &str, trial: u32) -> Result<TrackRun, JsError> {
     Ok(run_scenario(&Scenario::from_json(scenario)?, u64::from(trial))?.into())
+}
+
+/// The trials up to the end of the block that begins with `first_trial`.
+fn end_of_block(first_trial: usize) -> Result<usize, Error> {
+    if first_trial.is_multiple_of(TRIALS_PER_BLOCK) {
+        return Ok(first_trial.saturating_add(TRIALS_PER_BLOCK));
+    }
+    let (value, limit) = (first_trial as f64, "a multiple of 20");
+    Err(Error::Number { what: "the first trial of a block", value, limit })
 }
 
 /// What people and files call an estimator or a bound.

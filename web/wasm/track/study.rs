@@ -7,7 +7,7 @@ use rangelab::study::moments::Estimate;
 use rangelab::study::monte_carlo::{MonteCarlo, TRIALS_PER_BLOCK};
 use rangelab::study::report::BoundSummary;
 use rangelab::study::tally::Summary;
-use rangelab::{Error, with_dimension};
+use rangelab::with_dimension;
 use rangelab_wasm_shared::json;
 use wasm_bindgen::prelude::*;
 
@@ -25,10 +25,7 @@ pub fn trials_per_block() -> usize {
 /// A sentence where the scenario or the numbers of the trials are bad, or a trial leaves double precision.
 #[wasm_bindgen]
 pub fn study_block(scenario: &str, first_trial: usize, trials: usize) -> Result<Vec<f64>, JsError> {
-    if !first_trial.is_multiple_of(TRIALS_PER_BLOCK) {
-        let (value, limit) = (first_trial as f64, "a multiple of 20");
-        return Err(Error::Number { what: "the first trial of a block", value, limit }.into());
-    }
+    crate::end_of_block(first_trial)?;
     let scenario = Scenario::from_json(scenario)?;
     MonteCarlo::new(&scenario, trials)?;
     let study = MonteCarlo::new(&scenario, first_trial.saturating_add(trials))?;
@@ -97,6 +94,16 @@ impl StudySum {
     /// Mean NEES over its degrees of freedom, in the same shape; 1 where the covariance is right.
     pub fn nees(&self, estimator: usize) -> Vec<f64> {
         self.figures(estimator, |step| step.nees)
+    }
+
+    /// Mean NIS over its mean degrees of freedom, in the same shape; 1 where ranges come as far off as was expected.
+    pub fn nis(&self, estimator: usize) -> Vec<f64> {
+        self.figures(estimator, |step| step.nis)
+    }
+
+    /// Mean degrees of freedom of the NIS: K. Missing ranges lower them.
+    pub fn nis_degrees_of_freedom(&self, estimator: usize) -> Vec<f64> {
+        self.sum.estimator(estimator).map(|step| step.nis_degrees_of_freedom).collect()
     }
 
     /// Share of the trials in which `Q` was projected, in the same shape.

@@ -118,6 +118,19 @@ impl TrackRun {
         self.number(estimator, |step| step.nees.map(|nees| nees.value))
     }
 
+    /// Normalized innovations squared: K.
+    pub fn nis(&self, estimator: usize) -> Vec<f64> {
+        self.number(estimator, |record| Some(record.nis.value))
+    }
+
+    /// Degrees of freedom of the NIS: K. Missing ranges lower them; 0 without ranges and after a failure.
+    pub fn nis_degrees_of_freedom(&self, estimator: usize) -> Vec<u32> {
+        let degrees = |record: &StepRecord| u32::try_from(record.nis.degrees_of_freedom).unwrap_or(u32::MAX);
+        let mut all: Vec<u32> = self.estimator(estimator).steps.iter().map(degrees).collect();
+        all.resize(self.steps(), 0);
+        all
+    }
+
     /// Degrees of freedom of the NEES; 0 where there is none.
     pub fn nees_degrees_of_freedom(&self, estimator: usize) -> usize {
         let nees = self.estimator(estimator).steps.iter().find_map(|step| step.nees);

@@ -37,6 +37,8 @@ function decodeEstimator(run: WasmRun, entry: Named, index: number): EstimatorRu
     events: run.events(index),
     nees: run.nees(index),
     neesDegreesOfFreedom: run.nees_degrees_of_freedom(index),
+    nis: run.nis(index),
+    nisDegreesOfFreedom: run.nis_degrees_of_freedom(index),
     positionCovariances: run.position_covariances(index),
     rotationCovariances: run.rotation_covariances(index),
     stopped: step < 0 ? null : { step, sentence: run.failure(index) },
@@ -70,6 +72,8 @@ function decodeCurves(study: WasmStudy, entry: Named, index: number): EstimatorC
     position: curve(study.position(index)),
     nees: curve(study.nees(index)),
     neesDegreesOfFreedom: study.nees_degrees_of_freedom(index),
+    nis: curve(study.nis(index)),
+    nisDegreesOfFreedom: study.nis_degrees_of_freedom(index),
     eventRate: curve(study.event_rate(index)),
     failures: study.failures(index),
   };
@@ -80,7 +84,7 @@ function decodeBoundCurves(study: WasmStudy, entry: Named, index: number): Bound
 }
 
 /** The engine writes values, then standard errors. */
-function curve(numbers: Float64Array): Curve {
+export function curve(numbers: Float64Array): Curve {
   const steps = numbers.length / 2;
   return { value: numbers.subarray(0, steps), standardError: numbers.subarray(steps) };
 }

@@ -5,16 +5,24 @@
  */
 import { exploreModule } from "./explore";
 import { figuresModule } from "./figures";
+import { localizeModule } from "./localize";
 import { trackModule } from "./track";
 
 export * from "./explore";
 export * from "./figures";
+export * from "./localize";
 export { type EngineModule, EngineTrap } from "./module";
 export * from "./scene";
+export * from "./studies";
 export * from "./track";
 
 /** By the folder below `wasm/` that each is built into. */
-export const modules = { track: trackModule, explore: exploreModule, figures: figuresModule };
+export const modules = {
+  track: trackModule,
+  explore: exploreModule,
+  localize: localizeModule,
+  figures: figuresModule,
+};
 
 /** Fresh instances, after a trap. Studies begun in the old ones are lost with them. */
 export function restartEngine(): void {

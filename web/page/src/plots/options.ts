@@ -113,7 +113,7 @@ function series(line: PlotLine, palette: Palette): uPlot.Series {
   return {
     label: line.label,
     stroke: palette.css(line.token),
-    width: (line.mark ? 1.75 : 2) * palette.weight,
+    width: (line.points ? 0 : line.mark ? 1.75 : 2) * palette.weight,
     dash: line.dash.map((dash) => dash * palette.weight),
     points: { show: false },
   };

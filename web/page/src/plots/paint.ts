@@ -7,6 +7,9 @@ import { drawnSteps, stepsPerBucket, thin } from "./thin";
 
 /** Marks closer than this hide their line. */
 const MARK_SPACING_PIXELS = 22;
+const MARK_SIZE = 3.2;
+/** Where every value has its own, many lie close together. */
+const POINT_SIZE = 2;
 
 /** What lies below the curves: where values are expected, and how sure averages are. */
 export function paintGround(plot: uPlot, look: Look): void {
@@ -81,13 +84,14 @@ function paintMarks(plot: uPlot, { palette }: Look, line: PlotLine, index: numbe
   const ratio = devicePixelRatio;
   const [across, values] = [plot.data[0], plot.data[index + 1]];
   const spacing = MARK_SPACING_PIXELS * palette.weight * ratio;
-  const stride = Math.ceil((spacing * across.length) / Math.max(1, plot.bbox.width));
+  const stride = line.points ? 1 : Math.ceil((spacing * across.length) / Math.max(1, plot.bbox.width));
+  const size = (line.points ? POINT_SIZE : MARK_SIZE) * palette.weight * ratio;
   // Estimators start their marks at different points: on shared values they alternate instead of hiding each other.
   for (let k = stride - 1 - (index % stride); k < across.length; k += stride) {
     const value = values[k];
     if (value === null || value === undefined) continue;
     const at = { x: plot.valToPos(across[k], "x", true), y: plot.valToPos(value, "y", true) };
-    paintMark(plot.ctx, at, 3.2 * palette.weight * ratio, SHAPES[line.mark], palette.css(line.token));
+    paintMark(plot.ctx, at, size, SHAPES[line.mark], palette.css(line.token));
   }
 }
 

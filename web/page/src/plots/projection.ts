@@ -33,6 +33,12 @@ export class Projection {
     return this.left + shareOf(along, this.across, this.acrossScale) * (this.right - this.left);
   }
 
+  /** Where a place lies, or the end of the axis where it lies beyond it. */
+  clampedX(along: number): number {
+    const [first, last] = this.across;
+    return this.x(Math.min(last, Math.max(first, along)));
+  }
+
   /** What lies along the plot at a pixel. */
   along(x: number): number {
     return atShare((x - this.left) / (this.right - this.left), this.across, this.acrossScale);

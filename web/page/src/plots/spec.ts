@@ -15,10 +15,18 @@ export interface PlotLine {
   readonly standardErrors: Float64Array | null;
   /** Steps at which a tick is drawn at the floor: something happened. */
   readonly events: readonly number[];
+  /** Whether every value is a point of its own, not joined to its neighbours. */
+  readonly points?: boolean;
 }
 
-/** A level that is dragged in the plot itself. */
-export interface Threshold {
+/** An edit of the scenario, and what it is called. */
+export interface PlotEdit {
+  readonly what: string;
+  readonly scenario: Scenario;
+}
+
+/** What a handle in a plot sets. */
+export interface Handle {
   /** What a reader calls it. */
   readonly name: string;
   /** What dragging sets. */
@@ -27,10 +35,27 @@ export interface Threshold {
   readonly most: number;
   readonly label: string;
   readonly token: string;
+  /** The edit that sets another value, and what it is called. */
+  edit(value: number): PlotEdit;
+}
+
+/** A level that is dragged in the plot itself. */
+export interface Threshold extends Handle {
   /** Where the line lies, a number a step, in proportion to the value. */
   readonly heights: Float64Array;
-  /** The edit that sets another value, and what it is called. */
-  edit(value: number): { what: string; scenario: Scenario };
+}
+
+/** A place along a plot that is dragged in the plot itself. */
+export interface AxisHandle extends Handle {
+  /** Where on the axis a value lies, and which value lies there. */
+  placeOf(value: number): number;
+  valueAt(place: number): number;
+}
+
+/** A place along a plot that is worth knowing. */
+export interface AxisMark {
+  readonly place: number;
+  readonly label: string;
 }
 
 /** Where values are expected. */
@@ -52,6 +77,10 @@ export interface PlotAxis {
   readonly timed: boolean;
   /** Where the scenario lies on it; null for time, and where it lies nowhere. */
   readonly now: number | null;
+  readonly handle?: AxisHandle;
+  readonly marks?: readonly AxisMark[];
+  /** The edit that brings the scenario to another place on it, where a press on the plot does so. */
+  edit?(value: number): PlotEdit;
 }
 
 export function timeAxis(times: Float64Array): PlotAxis {

@@ -36,3 +36,15 @@ export function sameNoiseAs(noise: RangeNoise, kind: RangeNoise["kind"], range: 
   if (kind === "squared_range") return { kind, sigma: rounded(2 * deviation) };
   return { kind, zeta_db: rounded(20 * Math.log10(range / deviation)) };
 }
+
+/** How far the noise lies below a range, dB: zeta of the time-of-arrival model, and of the others at that range. */
+export function levelBelow(noise: RangeNoise, range: number): number {
+  return noise.kind === "toa" ? noise.zeta_db : 20 * Math.log10(range / rangeDeviation(noise, range));
+}
+
+/** The noise of a model that lies so many decibels below a range. */
+export function noiseBelow(kind: RangeNoise["kind"], range: number, level: number): RangeNoise {
+  const deviation = range * 10 ** (-level / 20);
+  if (kind === "toa") return { kind, zeta_db: level };
+  return { kind, sigma: kind === "range" ? deviation : 2 * deviation };
+}

@@ -1,24 +1,25 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
-import type { StudyCurves } from "../study";
 import type { Scenario } from "../scenario";
 import type { Block, Sums } from "../workers/messages";
 import type { PoolListener } from "../workers/pool";
-import { FIRST_PICTURE, MOST_TRIALS, Study, type StudyTools, TRIALS_PER_BLOCK } from "./study.svelte";
+import { keyOf, Study, type StudySubject } from "./study.svelte";
 
 const scenario = (name: string) => ({ name, seed: name.length, view: null }) as unknown as Scenario;
 const A = scenario("a");
 const B = scenario("bb");
 const C = scenario("ccc");
-const TIMES = Float64Array.of(0.1);
+const [TRIALS_PER_BLOCK, FIRST_PICTURE, MOST_TRIALS] = [20, 200, 2000];
+const PLAN = { perBlock: TRIALS_PER_BLOCK, firstPicture: FIRST_PICTURE, most: MOST_TRIALS };
+const SKETCH = { perBlock: 10, firstPicture: 10, most: 10 };
 
 /** Workers whose answers the test gives, and a sum that remembers in which order it was given them. */
-class Fake implements StudyTools {
+class Fake {
   listener!: PoolListener<Block, Sums>;
   queue: Block[] = [];
   held = false;
   open = 0;
 
-  openPool(listener: PoolListener<Block, Sums>) {
+  openPool = (listener: PoolListener<Block, Sums>) => {
     this.listener = listener;
     return {
       replace: (blocks: readonly Block[]) => void (this.queue = [...blocks]),
@@ -26,8 +27,17 @@ class Fake implements StudyTools {
       proceed: () => void (this.held = false),
       close: () => void (this.queue = []),
     };
+  };
+  subject(of: Scenario, plan = PLAN): StudySubject {
+    return {
+      scenario: of,
+      key: keyOf(of) + plan.most,
+      plan,
+      block: (firstTrial, trials) => ({ scenario: of, firstTrial, trials }),
+      openSum: () => this.openSum(plan.perBlock),
+    };
   }
-  openSum() {
+  openSum(perBlock: number) {
     this.open += 1;
     const pushed: number[] = [];
     return {
@@ -35,7 +45,7 @@ class Fake implements StudyTools {
         if (Number.isNaN(block[0])) throw new Error("The engine stopped.");
         pushed.push(block[0]);
       },
-      read: () => ({ trials: pushed.length * TRIALS_PER_BLOCK, pushed }) as unknown as StudyCurves,
+      read: () => ({ trials: pushed.length * perBlock, pushed }),
       free: () => void (this.open -= 1),
     };
   }
@@ -46,7 +56,7 @@ class Fake implements StudyTools {
   }
 }
 
-const shown = (study: Study) => study.picture?.curves as unknown as { trials: number; pushed: number[] };
+const shown = (study: Study) => study.picture?.averages as { trials: number; pushed: number[] };
 
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => void vi.useRealTimers());
@@ -54,7 +64,7 @@ afterEach(() => void vi.useRealTimers());
 describe("the study", () => {
   test("shows something at once, counts trials in order and rests at the end", () => {
     const [fake, study] = start();
-    study.follow(A, TIMES, false);
+    study.follow(fake.subject(A), false);
     fake.answer(1);
     expect(shown(study).trials).toBe(TRIALS_PER_BLOCK);
     vi.advanceTimersByTime(1000);
@@ -67,7 +77,7 @@ describe("the study", () => {
   test("keeps the old picture, marked, until the new one is complete", () => {
     const [fake, study] = start();
     complete(fake, study, A);
-    study.follow(B, TIMES, false);
+    study.follow(fake.subject(B), false);
     expect([study.stale, study.trials]).toEqual([true, 0]);
     fake.answer(FIRST_PICTURE / TRIALS_PER_BLOCK - 1);
     expect([study.picture?.scenario, study.stale]).toEqual([A, true]);
@@ -79,10 +89,10 @@ describe("the study", () => {
   test("while one drags, finishes the first picture begun and goes on with the latest scenario", () => {
     const [fake, study] = start();
     complete(fake, study, A);
-    study.follow(B, TIMES, true);
+    study.follow(fake.subject(B), true);
     fake.answer(3);
-    study.follow(scenario("between"), TIMES, true);
-    study.follow(C, TIMES, true);
+    study.follow(fake.subject(scenario("between")), true);
+    study.follow(fake.subject(C), true);
     expect(fake.queue[0].scenario).toBe(B);
     fake.answer(FIRST_PICTURE / TRIALS_PER_BLOCK - 3);
     expect([study.picture?.scenario, study.stale]).toEqual([B, true]);
@@ -91,36 +101,36 @@ describe("the study", () => {
 
   test("drops the old work where nobody drags, where it is slow, and where it has given its picture", () => {
     const [fake, study] = start();
-    study.follow(A, TIMES, true);
+    study.follow(fake.subject(A), true);
     fake.answer(3);
-    study.follow(B, TIMES, false);
+    study.follow(fake.subject(B), false);
     expect(fake.queue[0].scenario).toBe(B);
     vi.advanceTimersByTime(2000);
-    study.follow(C, TIMES, true);
+    study.follow(fake.subject(C), true);
     expect(fake.queue[0].scenario).toBe(C);
     fake.answer(FIRST_PICTURE / TRIALS_PER_BLOCK);
-    study.follow(A, TIMES, true);
+    study.follow(fake.subject(A), true);
     expect(fake.queue[0].scenario).toBe(A);
   });
 
   test("a name or a camera is no other scenario", () => {
     const [fake, study] = start();
-    study.follow(A, TIMES, false);
+    study.follow(fake.subject(A), false);
     fake.answer(2);
-    study.follow({ ...A, name: "renamed", view: { camera: 1 } }, TIMES, false);
+    study.follow(fake.subject({ ...A, name: "renamed", view: { camera: 1 } }), false);
     expect([study.trials, study.stale]).toEqual([2 * TRIALS_PER_BLOCK, false]);
   });
 
   test("stops and goes on where it was; what was changed meanwhile is studied then", () => {
     const [fake, study] = start();
-    study.follow(A, TIMES, false);
+    study.follow(fake.subject(A), false);
     fake.answer(2);
     study.stop();
     expect([fake.held, study.running]).toEqual([true, false]);
     study.proceed();
     expect([fake.held, study.trials]).toEqual([false, 2 * TRIALS_PER_BLOCK]);
     study.stop();
-    study.follow(B, TIMES, false);
+    study.follow(fake.subject(B), false);
     expect([fake.queue[0].scenario, study.stale]).toEqual([A, true]);
     study.proceed();
     expect([fake.queue[0].scenario, study.trials]).toEqual([B, 0]);
@@ -136,9 +146,28 @@ describe("the study", () => {
     expect([study.failure, fake.queue.length]).toEqual([null, MOST_TRIALS / TRIALS_PER_BLOCK]);
   });
 
+  test("what is dragged is sketched first, what the picture is of already is not", () => {
+    const [fake, study] = start();
+    const dragged = (of: Scenario) => ({ ...fake.subject(of), sketch: fake.subject(of, SKETCH) });
+    study.follow(dragged(A), false);
+    study.follow(dragged(A), true);
+    expect(fake.queue[0].trials).toBe(TRIALS_PER_BLOCK);
+    complete(fake, study, A);
+    study.follow(dragged(B), true);
+    expect([fake.queue.length, fake.queue[0].trials]).toEqual([1, SKETCH.most]);
+    fake.answer(1);
+    expect([shown(study).trials, study.stale, study.running]).toEqual([SKETCH.most, false, false]);
+    study.follow(dragged(B), false);
+    expect([study.stale, study.running, fake.queue.length]).toEqual([
+      true,
+      true,
+      MOST_TRIALS / TRIALS_PER_BLOCK,
+    ]);
+  });
+
   test("frees every sum it opened", () => {
     const [fake, study] = start();
-    for (const next of [A, B, C]) study.follow(next, TIMES, false);
+    for (const next of [A, B, C]) study.follow(fake.subject(next), false);
     expect(fake.open).toBe(1);
     study.close();
     expect(fake.open).toBe(0);
@@ -147,11 +176,11 @@ describe("the study", () => {
 
 function start(): [Fake, Study] {
   const fake = new Fake();
-  return [fake, new Study(fake)];
+  return [fake, new Study(fake.openPool)];
 }
 
 function complete(fake: Fake, study: Study, of: Scenario): void {
-  study.follow(of, TIMES, false);
+  study.follow(fake.subject(of), false);
   fake.answer(1);
   vi.advanceTimersByTime(300);
   fake.answer(FIRST_PICTURE / TRIALS_PER_BLOCK - 1);

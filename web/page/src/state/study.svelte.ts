@@ -1,52 +1,71 @@
-import type { StudyCurves } from "../study";
 import type { Scenario } from "../scenario";
 import { InOrder } from "../workers/in-order";
 import type { Block, Sums } from "../workers/messages";
 import type { PoolListener } from "../workers/pool";
 
-export const TRIALS_PER_BLOCK = 20;
-/** A picture of fewer trials is shown only where there is none, or where these take too long. */
-export const FIRST_PICTURE = 200;
-/** Enough that the bands are thin; then the workers rest. */
-export const MOST_TRIALS = 2000;
 /** A first picture that takes longer than this is not waited for. */
 const PATIENCE_MS = 1500;
 /** A growing study is drawn anew this often. */
 const REFRESH_MS = 250;
 
-/** Averages over trials, and what they are averages of. */
-export interface StudyPicture {
-  readonly scenario: Scenario;
-  readonly times: Float64Array;
-  readonly curves: StudyCurves;
+/** How many trials a study takes, and in what portions. */
+export interface StudyPlan {
+  readonly perBlock: number;
+  /** A picture of fewer trials is shown only where there is none, or where these take too long. */
+  readonly firstPicture: number;
+  /** Enough that the bands are thin; then the workers rest. */
+  readonly most: number;
 }
 
-/** What the study needs from the engine and the workers. */
-export interface StudyTools {
-  openPool(listener: PoolListener<Block, Sums>): PoolLike;
-  openSum(scenario: Scenario): SumLike;
+/** What is known after so many trials. */
+export interface Averages {
+  readonly trials: number;
 }
-interface PoolLike {
+
+/** What a study is of. */
+export interface StudySubject<A extends Averages = Averages> {
+  readonly scenario: Scenario;
+  /** The same key, the same numbers. */
+  readonly key: string;
+  readonly plan: StudyPlan;
+  /** A coarser study of the same, soon done: for scenarios that a drag leaves behind. Without one the study itself. */
+  readonly sketch?: StudySubject<A>;
+  block(firstTrial: number, trials: number): Block;
+  openSum(): SumLike<A>;
+}
+
+/** Averages over trials, and what they are averages of. */
+export interface StudyPicture<A extends Averages = Averages> {
+  readonly scenario: Scenario;
+  readonly averages: A;
+}
+
+/** Gives the study its workers. */
+export type OpenPool = (listener: PoolListener<Block, Sums>) => PoolLike;
+export interface PoolLike {
   replace(blocks: readonly Block[]): void;
   hold(): void;
   proceed(): void;
   close(): void;
 }
-interface SumLike {
+export interface SumLike<A extends Averages = Averages> {
   push(block: Float64Array): void;
-  read(): StudyCurves;
+  read(): A;
   free(): void;
 }
 
-/** One scenario's trials under way. */
+/** One subject's trials under way. */
 interface Round {
-  readonly scenario: Scenario;
-  readonly key: string;
-  readonly times: Float64Array;
+  readonly subject: StudySubject;
   readonly sum: SumLike;
   readonly order: InOrder<Float64Array>;
   /** When it began; later by the time it was stopped for. */
   started: number;
+}
+
+/** What trials are averaged over changes from one scenario to the next, their names do not. */
+export function keyOf(scenario: object): string {
+  return JSON.stringify({ ...scenario, name: "", view: null });
 }
 
 /** The Monte-Carlo study of the scenario at hand: the same trials 0, 1, 2, … whatever is changed. */
@@ -60,33 +79,36 @@ export class Study {
   stopped = $state(false);
   secondsLeft: number | null = $state(null);
   failure: string | null = $state(null);
+  /** Of the subject at hand; null before the first one. */
+  plan: StudyPlan | null = $state.raw(null);
   readonly #pool: PoolLike;
-  #wanted: Pick<Round, "scenario" | "key" | "times"> | null = null;
+  #wanted: StudySubject | null = null;
   #round: Round | null = null;
   #pictureKey: string | null = null;
   #shownAt = -Infinity;
   #stoppedAt = 0;
 
-  constructor(private readonly tools: StudyTools) {
-    this.#pool = tools.openPool({
+  constructor(openPool: OpenPool) {
+    this.#pool = openPool({
       done: (block, sums) => this.#guard(() => this.#merge(block, sums)),
       failed: (sentence) => this.#fail(sentence),
     });
   }
 
   get running(): boolean {
-    return !this.stopped && this.failure === null && this.trials < MOST_TRIALS;
+    return !this.stopped && this.failure === null && this.trials < (this.plan?.most ?? Infinity);
   }
 
   /**
-   * The scenario to study now. While it is being dragged, the first picture of the one before is finished where that
-   * is a matter of a moment: else there would be none until the pointer rests.
+   * What to study now. While it is being dragged, its sketch; and the first picture of the one before is finished where
+   * that is a matter of a moment: else there would be none until the pointer rests.
    */
-  follow(scenario: Scenario, times: Float64Array, dragged: boolean): void {
-    const key = JSON.stringify({ ...scenario, name: "", view: null });
-    this.#wanted = { scenario, key, times };
-    this.stale = this.#pictureKey !== null && this.#pictureKey !== key;
-    if (this.#round?.key === key && this.failure === null) return;
+  follow(subject: StudySubject, dragged: boolean): void {
+    const sketched = dragged && this.#round?.subject.key !== subject.key;
+    const wanted = sketched ? (subject.sketch ?? subject) : subject;
+    this.#wanted = wanted;
+    this.stale = this.#pictureKey !== null && this.#pictureKey !== wanted.key;
+    if (this.#round?.subject.key === wanted.key && this.failure === null) return;
     if (this.stopped || (dragged && this.#almostThere())) return;
     this.#begin();
   }
@@ -102,7 +124,7 @@ export class Study {
     if (this.#round && this.stopped) this.#round.started += performance.now() - this.#stoppedAt;
     this.stopped = false;
     this.#pool.proceed();
-    if (this.failure !== null || this.#wanted?.key !== this.#round?.key) this.#begin();
+    if (this.failure !== null || this.#wanted?.key !== this.#round?.subject.key) this.#begin();
   }
 
   close(): void {
@@ -111,54 +133,57 @@ export class Study {
   }
 
   #almostThere(): boolean {
-    if (!this.#round || this.trials >= FIRST_PICTURE) return false;
+    if (!this.#round || this.trials >= this.#round.subject.plan.firstPicture) return false;
     return performance.now() - this.#round.started < PATIENCE_MS;
   }
 
   #begin(): void {
     if (!this.#wanted) return;
-    const wanted = this.#wanted;
+    const subject = this.#wanted;
     this.#round?.sum.free();
     this.#round = null;
     this.trials = 0;
     this.secondsLeft = null;
     this.failure = null;
+    this.plan = subject.plan;
     this.#guard(() => {
-      const sum = this.tools.openSum(wanted.scenario);
-      this.#round = { ...wanted, sum, order: new InOrder(), started: performance.now() };
-      this.#pool.replace(blocksOf(wanted.scenario));
+      const sum = subject.openSum();
+      this.#round = { subject, sum, order: new InOrder(), started: performance.now() };
+      this.#pool.replace(blocksOf(subject));
     });
   }
 
   #merge(block: Block, sums: Float64Array): void {
     const round = this.#round;
     if (!round) return;
-    for (const ready of round.order.accept(block.firstTrial / TRIALS_PER_BLOCK, sums)) {
+    const { key, plan } = round.subject;
+    for (const ready of round.order.accept(block.firstTrial / plan.perBlock, sums)) {
       round.sum.push(ready);
-      this.trials += TRIALS_PER_BLOCK;
+      this.trials += plan.perBlock;
     }
     const elapsed = performance.now() - round.started;
     if (this.#due(round, elapsed)) this.#show(round, elapsed);
-    if (this.trials >= FIRST_PICTURE && this.#wanted?.key !== round.key && !this.stopped) this.#begin();
+    if (this.trials >= plan.firstPicture && this.#wanted?.key !== key && !this.stopped) this.#begin();
   }
 
-  #due(round: Round, elapsed: number): boolean {
+  #due({ subject }: Round, elapsed: number): boolean {
     if (this.trials === 0) return false;
-    const begun = this.#pictureKey === null || this.#pictureKey === round.key;
-    if (!begun && this.trials < FIRST_PICTURE && elapsed < PATIENCE_MS) return false;
-    const shown = begun ? (this.picture?.curves.trials ?? 0) : 0;
-    if (shown < FIRST_PICTURE && this.trials >= FIRST_PICTURE) return true;
+    const { firstPicture, most } = subject.plan;
+    const begun = this.#pictureKey === null || this.#pictureKey === subject.key;
+    if (!begun && this.trials < firstPicture && elapsed < PATIENCE_MS) return false;
+    const shown = begun ? (this.picture?.averages.trials ?? 0) : 0;
+    if (shown < firstPicture && this.trials >= firstPicture) return true;
     // After a stop only the blocks begun still come: none of them is kept back.
-    if (!begun || this.stopped || this.trials === MOST_TRIALS) return true;
+    if (!begun || this.stopped || this.trials === most) return true;
     return performance.now() - this.#shownAt > REFRESH_MS;
   }
 
-  #show(round: Round, elapsed: number): void {
+  #show({ subject, sum }: Round, elapsed: number): void {
     this.#shownAt = performance.now();
-    this.#pictureKey = round.key;
-    this.picture = { scenario: round.scenario, times: round.times, curves: round.sum.read() };
-    this.stale = this.#wanted?.key !== round.key;
-    this.secondsLeft = ((MOST_TRIALS - this.trials) * elapsed) / this.trials / 1000;
+    this.#pictureKey = subject.key;
+    this.picture = { scenario: subject.scenario, averages: sum.read() };
+    this.stale = this.#wanted?.key !== subject.key;
+    this.secondsLeft = ((subject.plan.most - this.trials) * elapsed) / this.trials / 1000;
   }
 
   /** An engine that trapped says so in a sentence; the page goes on. */
@@ -177,10 +202,7 @@ export class Study {
   }
 }
 
-function blocksOf(scenario: Scenario): Block[] {
-  return Array.from({ length: MOST_TRIALS / TRIALS_PER_BLOCK }, (_, index) => ({
-    scenario,
-    firstTrial: index * TRIALS_PER_BLOCK,
-    trials: TRIALS_PER_BLOCK,
-  }));
+function blocksOf(subject: StudySubject): Block[] {
+  const { perBlock, most } = subject.plan;
+  return Array.from({ length: most / perBlock }, (_, index) => subject.block(index * perBlock, perBlock));
 }

@@ -45,8 +45,8 @@ export class Workspace<R extends LabRun = LabRun> {
   hovered: Thing | null = $state(null);
   /** The line of sight through the pointer, while it is over the scene of a lab with a field. */
   ray: Ray | null = $state.raw(null);
-  /** Averages over many trials, while the plots show them instead of one run. */
-  study: StudyPicture | null = $state.raw(null);
+  /** Averages over many trials, while the plots show them, and the lab that they are of. */
+  averages: { lab: Lab; picture: StudyPicture } | null = $state.raw(null);
   /** The one estimator that stands out in the plots, or null. */
   emphasis: string | null = $state(null);
 
@@ -57,6 +57,11 @@ export class Workspace<R extends LabRun = LabRun> {
 
   get lab(): Lab {
     return this.session.lab;
+  }
+
+  /** The averages shown; never those of another lab, of which this one knows nothing. */
+  get study(): StudyPicture | null {
+    return this.averages?.lab === this.lab ? this.averages.picture : null;
   }
 
   constructor(

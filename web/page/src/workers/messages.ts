@@ -1,11 +1,21 @@
 import type { FigureOrder } from "../figure";
-import type { Scenario } from "../scenario";
+import type { RangeNoise, Scenario } from "../scenario";
 
 /** Trials that one worker runs at a time. */
 export interface Block {
   readonly scenario: Scenario;
   readonly firstTrial: number;
   readonly trials: number;
+}
+
+/** Trials that one worker runs at each noise of a sweep. */
+export interface SweepBlock extends Block {
+  readonly sweep: readonly RangeNoise[];
+}
+
+/** Trials that one worker runs at each threshold of the ET-KF. */
+export interface BudgetBlock extends Block {
+  readonly thresholds: Float64Array;
 }
 
 /** What a block of trials adds to a study. */

@@ -1,4 +1,4 @@
-import { type EngineModule, exploreModule, figuresModule, trackModule } from "../engine";
+import { type EngineModule, exploreModule, figuresModule, localizeModule, trackModule } from "../engine";
 import type { Improvement } from "../generated/Improvement";
 import type { Block, FieldRows, FigureJob, RowValues, Search, Sums } from "./messages";
 import type { PoolWorker } from "./pool";
@@ -22,6 +22,27 @@ export function startFigureWorker(): PoolWorker<FigureJob, Sums> {
   return loaded(
     new Worker(new URL("./figure-worker.ts", import.meta.url), { type: "module", name: "figure" }),
     figuresModule,
+  );
+}
+
+export function startSweepWorker(): PoolWorker<Block, Sums> {
+  return loaded(
+    new Worker(new URL("./sweep-worker.ts", import.meta.url), { type: "module", name: "sweep" }),
+    localizeModule,
+  );
+}
+
+export function startBudgetWorker(): PoolWorker<Block, Sums> {
+  return loaded(
+    new Worker(new URL("./budget-worker.ts", import.meta.url), { type: "module", name: "budget" }),
+    trackModule,
+  );
+}
+
+export function startDrawsWorker(): PoolWorker<Block, Sums> {
+  return loaded(
+    new Worker(new URL("./draws-worker.ts", import.meta.url), { type: "module", name: "draws" }),
+    trackModule,
   );
 }
 

@@ -22,7 +22,7 @@ import { describe, note, told } from "./told";
 export const lab: Lab<ExploreRun> = {
   name: "explore",
   title: "Explore",
-  order: 2,
+  order: 3,
   family: "rigid body",
   load: () => exploreModule.load(),
   presets,

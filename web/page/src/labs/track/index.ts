@@ -7,7 +7,9 @@ import { ground, groundLabels } from "../../scene/ground";
 import Controls from "./controls/Panel.svelte";
 import { estimates, ranges, truth } from "./layers";
 import { eventSteps, plots } from "./plots";
-import { studyPlots } from "./study-plots";
+import { budget } from "./studies/budget";
+import { draws } from "./studies/draws";
+import { study } from "./study";
 import { ghost } from "./ghost";
 import Readout from "./Readout.svelte";
 import { note, told } from "./told";
@@ -35,7 +37,8 @@ export const lab: Lab<Run> = {
   note,
   told,
   plots,
-  studyPlots,
+  study,
+  studyPages: [budget, draws],
   marks: (run) =>
     run.estimators
       .filter((estimator) => estimator.name === "et-kf")

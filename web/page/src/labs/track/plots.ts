@@ -1,9 +1,9 @@
 import { DEGREES_PER_RADIAN, formatNumber } from "../../controls/format";
-import { chiSquaredInterval } from "../../engine";
 import { type PlotLine, type PlotSpec, type Threshold, timeAxis } from "../../plots/spec";
 import { type BoundRun, type EstimatorRun, type Run, runsAt } from "../../run";
 import type { Scenario } from "../../scenario";
 import { MARKS } from "../../theme/palette";
+import { neesBands, nisBands } from "./consistency-bands";
 
 /** The bounds that are shown, most telling first; the unprojected one belongs to the estimator on unprojected ranges. */
 const SHOWN_BOUNDS = ["posterior_crb", "posterior_crb_raw", "linear_posterior_crb"];
@@ -52,6 +52,7 @@ export function boundLineLook(bound: Named): Omit<PlotLine, "values"> {
 
 export const ORIENTATION = { name: "orientation", shortTitle: "Orientation", unit: "deg" } as const;
 export const CONSISTENCY = { name: "nees", shortTitle: "NEES", unit: "" } as const;
+export const INNOVATION = { name: "nis", shortTitle: "NIS", unit: "" } as const;
 export const POSITION = { name: "position", shortTitle: "Position", unit: "m" } as const;
 
 /** What every plot is unless it says otherwise. */
@@ -95,6 +96,14 @@ export function plots(scenario: Scenario, run: Run): PlotSpec[] {
       lines: neesLines(run),
       bands: neesBands(run.estimators, 1),
     },
+    {
+      ...common,
+      ...INNOVATION,
+      title: "NIS / dof",
+      lines: nisLines(run),
+      bands: nisBands(run.estimators, 1),
+      note: NIS_NOTE,
+    },
   ];
 }
 
@@ -108,23 +117,21 @@ function neesLines(run: Run): PlotLine[] {
   }));
 }
 
-/** Where 95 % of the means over so many trials lie if the covariances are right, once for each number of degrees. */
-export function neesBands(
-  estimators: readonly { readonly neesDegreesOfFreedom: number }[],
-  trials: number,
-): PlotSpec["bands"] {
-  const all = estimators.map((estimator) => estimator.neesDegreesOfFreedom).filter((degrees) => degrees > 0);
-  return [...new Set(all)]
-    .toSorted((a, b) => a - b)
-    .map((degrees) => {
-      const freedom = degrees * trials;
-      const [low, high] = chiSquaredInterval(freedom, 0.95);
-      return {
-        low: low / freedom,
-        high: high / freedom,
-        label: `95 % of χ² with ${degrees} degrees of freedom`,
-      };
-    });
+function nisLines(run: Run): PlotLine[] {
+  return run.estimators.map((estimator) => ({
+    ...estimatorLook(estimator),
+    values: settledNis(
+      estimator.nis.map((value, step) => value / (estimator.nisDegreesOfFreedom[step] || NaN)),
+    ),
+  }));
+}
+
+/** The first ranges only test the guess that one starts from. */
+export const NIS_NOTE = "from step 2 on";
+
+/** A step without ranges has no innovation; the first one's is no matter of chance but of how wide the prior is. */
+export function settledNis(values: Float64Array): Float64Array {
+  return values.map((value, step) => (step === 0 ? NaN : value));
 }
 
 function defectLines(run: Run): PlotLine[] {
@@ -157,7 +164,7 @@ function threshold(scenario: Scenario, run: Run): Threshold | null {
   };
 }
 
-function withEpsilon(scenario: Scenario, epsilon: number): Scenario {
+export function withEpsilon(scenario: Scenario, epsilon: number): Scenario {
   const { estimators } = scenario;
   return { ...scenario, estimators: { ...estimators, threshold: { ...estimators.threshold, epsilon } } };
 }

@@ -5,12 +5,15 @@ import {
   boundLineLook,
   CONSISTENCY,
   estimatorLook,
-  neesBands,
+  INNOVATION,
+  NIS_NOTE,
   ORIENTATION,
   PLAIN,
   POSITION,
+  settledNis,
   shownOf,
 } from "./plots";
+import { neesBands, nisBands } from "./consistency-bands";
 
 /** The plots of one run as averages over trials, each against the bound with the same definition. */
 export function studyPlots(times: Float64Array, study: StudyCurves): PlotSpec[] {
@@ -58,6 +61,14 @@ export function studyPlots(times: Float64Array, study: StudyCurves): PlotSpec[] 
       title: "Mean NEES / dof",
       lines: estimatorLines(study, (estimator) => estimator.nees, 1),
       bands: neesBands(study.estimators, study.trials),
+    },
+    {
+      ...common,
+      ...INNOVATION,
+      title: "Mean NIS / dof",
+      lines: estimatorLines(study, ({ nis }) => ({ ...nis, value: settledNis(nis.value) }), 1),
+      bands: nisBands(study.estimators, study.trials),
+      note: NIS_NOTE,
     },
   ];
 }

@@ -32,6 +32,8 @@ export function remarks({ bands, threshold, x }: PlotSpec): string[] {
     ({ low, high, label }) => `Band from ${formatNumber(low)} to ${formatNumber(high)}: ${label}.`,
   );
   if (x.now !== null) list.push(`The scenario lies at ${x.name} ${formatNumber(x.now)} ${x.unit}.`);
+  for (const { label, place } of x.marks ?? [])
+    list.push(`${label}: ${x.name} ${formatNumber(place)} ${x.unit}.`);
   if (threshold) list.push(`${threshold.name} = ${formatNumber(threshold.value)}.`);
   return list;
 }

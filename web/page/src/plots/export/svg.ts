@@ -221,8 +221,9 @@ class Picture {
     const values = thin(line.values, this.#bucket);
     const stroke = this.palette.css(line.token);
     const d = this.#path(values);
-    const path = element("path", { d, fill: "none", stroke, "stroke-width": 2, ...dashes(line.dash) });
-    const stride = Math.ceil((MARK_SPACING * values.length) / AXES.width);
+    const style = { fill: "none", stroke, "stroke-width": 2, ...dashes(line.dash) };
+    const path = line.points ? "" : element("path", { d, ...style });
+    const stride = line.points ? 1 : Math.ceil((MARK_SPACING * values.length) / AXES.width);
     const marks = values.flatMap((value, point) =>
       value === null || (this.scale === "log" && value <= 0) || (point + index) % stride !== 0
         ? []
@@ -247,7 +248,7 @@ class Picture {
     const { now } = this.spec.x;
     if (now === null) return "";
     const { top, bottom } = this.#projection;
-    const x = round(this.#projection.x(now));
+    const x = round(this.#projection.clampedX(now));
     return element("line", {
       x1: x,
       x2: x,

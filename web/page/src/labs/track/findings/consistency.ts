@@ -19,6 +19,20 @@ export function overconfident(running: EstimatorRun[], step: number): Finding | 
   };
 }
 
+/** Estimators whose ranges come farther off than they expect; the first ones only test the guess one starts from. */
+export function surprised(running: EstimatorRun[], step: number): Finding | null {
+  if (step === 0) return null;
+  const most = ({ nisDegreesOfFreedom }: EstimatorRun) => bandOf(nisDegreesOfFreedom[step])[1];
+  const found = running.filter((estimator) => estimator.nis[step] > most(estimator));
+  if (found.length === 0) return null;
+  const worst = found.reduce((one, other) => (other.nis[step] > one.nis[step] ? other : one));
+  const nis = `${found.length > 1 ? "up to " : ""}${formatReading(worst.nis[step])}`;
+  return {
+    weight: 35,
+    text: `The ranges surprise ${found.length > 2 && found.length === running.length ? "all estimators" : joined(found)}: NIS ${nis}, where ${formatReading(most(worst))} is rarely passed.`,
+  };
+}
+
 /** Estimators whose errors are smaller than they claim. */
 export function cautious(running: EstimatorRun[], step: number): Finding | null {
   const found = running.filter((estimator) => estimator.nees[step] < band(estimator)[0]);
@@ -38,7 +52,11 @@ function named(found: readonly EstimatorRun[], running: readonly EstimatorRun[])
 const bands = new Map<number, readonly [number, number]>();
 
 /** What the NEES of a consistent filter lies between; everything where it has none. */
-export function band({ neesDegreesOfFreedom: degrees }: EstimatorRun): readonly [number, number] {
+export function band({ neesDegreesOfFreedom }: EstimatorRun): readonly [number, number] {
+  return bandOf(neesDegreesOfFreedom);
+}
+
+function bandOf(degrees: number): readonly [number, number] {
   if (degrees === 0) return [0, Infinity];
   const known = bands.get(degrees) ?? chiSquaredInterval(degrees, CONSISTENT);
   bands.set(degrees, known);

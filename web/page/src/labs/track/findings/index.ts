@@ -1,5 +1,5 @@
 import { type Run, runsAt } from "../../../run";
-import { cautious, overconfident } from "./consistency";
+import { cautious, overconfident, surprised } from "./consistency";
 import { mirrored, nearest, projected, stopped } from "./errors";
 import { weakGeometry } from "./geometry";
 
@@ -20,6 +20,7 @@ export function findings(run: Run, step: number): Finding[] {
     overconfident(running, step),
     projected(run, step),
     weakGeometry(run, step),
+    surprised(running, step),
     cautious(running, step),
   ].filter((finding) => finding !== null);
 }

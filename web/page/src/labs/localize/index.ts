@@ -1,0 +1,40 @@
+import { localizeModule, preset, presets } from "../../engine";
+import type { Lab } from "../../lab";
+import { axisLabels } from "../../rigid-body/layers";
+import { anchorLabels, anchors } from "../../scene/anchors";
+import { ground, groundLabels } from "../../scene/ground";
+import Controls from "./controls/Panel.svelte";
+import { body, clouds, estimates, mirrored, ranges } from "./layers";
+import { sweepPlots } from "./plots";
+import Readout from "./Readout.svelte";
+import { type LocalizeRun, runOf } from "./run";
+import { study, ZETAS } from "./sweep";
+import { describe, note, told } from "./told";
+
+/** The pose from the ranges of one epoch: clouds of estimates, and their errors over the noise. */
+export const lab: Lab<LocalizeRun> = {
+  name: "localize",
+  title: "Localize",
+  order: 2,
+  family: "rigid body",
+  load: () => localizeModule.load(),
+  presets,
+  preset,
+  firstPreset: "localization-paper",
+  compute: runOf,
+  shows: "Anchors, body and clouds of its estimates in space",
+  layers: [ground, ranges, body, estimates, mirrored, clouds, anchors],
+  labels: (input) => [
+    ...anchorLabels(input),
+    ...(input.run ? axisLabels(input, input.run) : []),
+    ...groundLabels(input),
+  ],
+  note,
+  told,
+  plots: (scenario, run) => sweepPlots(ZETAS, null, scenario, run),
+  study,
+  marks: () => [],
+  describe,
+  Controls,
+  Readout,
+};

@@ -1,0 +1,11 @@
+/** Draws anchors anew and runs a trial over each draw. */
+import { drawsBlock } from "../engine/studies";
+import { trackModule } from "../engine/track";
+import type { Block, Sums } from "./messages";
+import { serve } from "./serve";
+
+serve<Block, Sums>(
+  trackModule,
+  ({ scenario, firstTrial }) => drawsBlock(scenario, firstTrial) as Sums,
+  (sums) => [sums.buffer],
+);
