@@ -106,3 +106,24 @@ test("an engine that does not come is told in a sentence, and can be asked for a
   await page.unroute("**/rangelab_figures_bg*.wasm");
   await open(page);
 });
+
+test("what a figure simulates opens in its lab, and one undo comes back to the scene before", async ({
+  page,
+}) => {
+  test.setTimeout(180_000);
+  const lab = await Lab.open(page);
+  const before = await lab.anchor(1);
+  const dialog = await open(page);
+  await dialog.getByRole("button", { name: /^Fig\. 7/ }).click();
+  await compute(dialog, 20);
+  await dialog
+    .getByRole("button", { name: /in Localize$/ })
+    .first()
+    .click();
+  await expect(dialog).toBeHidden();
+  const localize = page.getByRole("navigation", { name: "Labs" }).getByRole("button", { name: "Localize" });
+  await expect(localize).toHaveAttribute("aria-current", "page");
+  await expect.poll(() => lab.anchor(1)).not.toBe(before);
+  await page.keyboard.press("Control+z");
+  await expect.poll(() => lab.anchor(1)).toBe(before);
+});

@@ -5,7 +5,7 @@ import type { PoseTrack } from "./run";
 import type { Scenario } from "./scenario";
 import type { Shape } from "./scene/draw-list";
 import type { FieldPicture } from "./scene/field";
-import type { Label, Layer, SceneInput } from "./scene/input";
+import type { Label, Layer, SceneInput, UncertaintyShown } from "./scene/input";
 import type { Drawing, Handle } from "./state/handles";
 import type { Averages, StudyPicture, StudySubject } from "./state/study.svelte";
 import type { Block, Sums } from "./workers/messages";
@@ -79,6 +79,8 @@ export interface Lab<R extends LabRun = LabRun> {
   readonly drawings?: readonly Drawing[];
   /** A grid of numbers under the layers, the same object as long as it shows the same; a lab without it draws none. */
   field?(input: SceneInput<R>): FieldPicture | null;
+  /** What the scene's uncertainty of each kind looks like, where it is not of ellipsoids and fans. */
+  readonly uncertainty?: Readonly<Record<keyof UncertaintyShown, string>>;
   labels(input: SceneInput<R>): Label[];
   /** What one must know to read the scene as it is now, shown beside it; empty where it is plain. */
   note(input: SceneInput<R>): string;

@@ -1,4 +1,5 @@
 import type { FigureOrder } from "../figure";
+import type { NextPlace } from "../generated/NextPlace";
 import type { RangeNoise, Scenario } from "../scenario";
 
 /** Trials that one worker runs at a time. */
@@ -31,6 +32,16 @@ export interface FigureJob {
 export interface Search {
   readonly scenario: Scenario;
   readonly restart: number;
+}
+
+/** A scenario of which one thing is asked. */
+export interface Scene {
+  readonly scenario: Scenario;
+}
+
+/** The best place for one more anchor; null where no place gives a bound. */
+export interface BestNext {
+  readonly place: NextPlace | null;
 }
 
 /** Some rows of the field of a scenario. */

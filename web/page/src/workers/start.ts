@@ -1,6 +1,6 @@
 import { type EngineModule, exploreModule, figuresModule, localizeModule, trackModule } from "../engine";
 import type { Improvement } from "../generated/Improvement";
-import type { Block, FieldRows, FigureJob, RowValues, Search, Sums } from "./messages";
+import type { BestNext, Block, FieldRows, FigureJob, RowValues, Scene, Search, Sums } from "./messages";
 import type { PoolWorker } from "./pool";
 
 /** The first picture has this many blocks: more workers would have nothing to do. */
@@ -55,6 +55,11 @@ export function startPlaceWorker(): PoolWorker<Search, Improvement> {
 
 export function startFieldWorker(): PoolWorker<FieldRows, RowValues> {
   const worker = new Worker(new URL("./field-worker.ts", import.meta.url), { type: "module", name: "field" });
+  return loaded(worker, exploreModule);
+}
+
+export function startNextWorker(): PoolWorker<Scene, BestNext> {
+  const worker = new Worker(new URL("./next-worker.ts", import.meta.url), { type: "module", name: "next" });
   return loaded(worker, exploreModule);
 }
 

@@ -11,6 +11,7 @@ import { fields, picture } from "./fields";
 import { handles } from "./handles";
 import { body, bounds, contourLabels, contours, ghosts, mounting, ranges, reading, twin } from "./layers";
 import { nextLabels, nextMark } from "./next-layers";
+import { nextSearch } from "./next-search.svelte";
 import { boxes, downhill, partLabels } from "./placement-layers";
 import { obstacles } from "./obstacles";
 import Readout from "./Readout.svelte";
@@ -31,6 +32,7 @@ export const lab: Lab<ExploreRun> = {
   compute(scenario) {
     const run = runOf(scenario);
     fields.show(scenario);
+    nextSearch.show(scenario);
     return run;
   },
   shows: "Anchors, body and the field of its bound in space",
@@ -46,7 +48,7 @@ export const lab: Lab<ExploreRun> = {
     ghosts,
     twin,
     reading,
-    nextMark,
+    (input, out) => nextMark(nextSearch.place, input, out),
     handleMarks,
     anchors,
     downhill,
@@ -58,7 +60,7 @@ export const lab: Lab<ExploreRun> = {
     ...anchorLabels(input),
     ...handleLabels(input),
     ...(input.run ? axisLabels(input, input.run) : []),
-    ...nextLabels(input),
+    ...nextLabels(nextSearch.place),
     ...partLabels(input),
     ...contourLabels(input),
     ...groundLabels(input),

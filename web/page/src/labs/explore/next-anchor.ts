@@ -1,5 +1,5 @@
 import { formatPoint } from "../../controls/format";
-import { bestNext, nextAt } from "../../engine";
+import { nextAt } from "../../engine";
 import type { NextPlace } from "../../generated/NextPlace";
 import type { Scenario } from "../../scenario";
 import { addAnchors } from "../../state/edit";
@@ -45,11 +45,6 @@ export function nextPlaceAt(scenario: Scenario, point: readonly number[]): NextP
   } catch {
     return null;
   }
-}
-
-/** The best place for one more anchor; null where the field shows something else, and where no place gives a bound. */
-export function bestNextOf(scenario: Scenario): NextPlace | null {
-  return scenario.field.subject === "next_anchor" ? bestNext(scenario) : null;
 }
 
 /** "7.14 mm now, 6.42 mm with one more anchor here". */

@@ -1,19 +1,15 @@
 import { advise, EngineTrap, explore } from "../../engine";
 import type { Advice } from "../../generated/Advice";
 import type { Exploration } from "../../generated/Exploration";
-import type { NextPlace } from "../../generated/NextPlace";
 import type { LabRun } from "../../lab";
 import type { Scenario } from "../../scenario";
 import { type SizeCurves, sizeCurves } from "./size-curves";
-import { bestNextOf } from "./next-anchor";
 
 /** One moment: what its ranges show of the pose that the body starts in. */
 export interface ExploreRun extends LabRun {
   readonly exploration: Exploration;
   readonly advice: Advice;
   readonly sizes: SizeCurves;
-  /** The best place for one more anchor, where the field shows that; null where there is none. */
-  readonly next: NextPlace | null;
 }
 
 export function runOf(scenario: Scenario): ExploreRun {
@@ -30,7 +26,6 @@ export function runOf(scenario: Scenario): ExploreRun {
     exploration: explore(scenario),
     advice: adviceOn(scenario),
     sizes: sizeCurves(scenario),
-    next: bestNextOf(scenario),
   };
 }
 

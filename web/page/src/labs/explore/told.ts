@@ -5,6 +5,7 @@ import type { SceneInput } from "../../scene/input";
 import { asSentence } from "../../words";
 import { weakestMotion } from "./layers";
 import { toldNext } from "./next-anchor";
+import { nextSearch } from "./next-search.svelte";
 import { toldAdvice } from "./placement";
 import type { ExploreRun } from "./run";
 
@@ -60,7 +61,7 @@ export function told(input: SceneInput<ExploreRun>): string[] {
     ...(walls > 0 ? [`${walls} walls and boxes block lines of sight.`] : []),
     ...toldMounting(scenario),
     ...toldAdvice(run.advice, scenario),
-    ...toldNext(run.next),
+    ...toldNext(nextSearch.place),
     ...(exploration.modes.length > 0 ? [`${ghostOf(input)}.`] : []),
   ];
 }

@@ -24,6 +24,11 @@ export const lab: Lab<LocalizeRun> = {
   compute: runOf,
   shows: "Anchors, body and clouds of its estimates in space",
   layers: [ground, ranges, body, estimates, mirrored, clouds, anchors],
+  uncertainty: {
+    position: "Dots are the positions that each estimator finds in other trials",
+    orientation:
+      "Dots are the tips of the axes that each estimator finds in other trials; rings, of a mirrored body",
+  },
   labels: (input) => [
     ...anchorLabels(input),
     ...(input.run ? axisLabels(input, input.run) : []),
