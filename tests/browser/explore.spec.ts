@@ -135,9 +135,24 @@ test("at rest the field gets finer in workers, and where there are none in idle 
     } as unknown as typeof Worker;
   });
   const other = await openExplore(alone);
-  const same = async () => (await lab.surface.screenshot()).equals(await other.surface.screenshot());
+  const pictureOf = ({ surface }: Lab) => surface.screenshot();
+  const same = async () => (await pictureOf(lab)).equals(await pictureOf(other));
   await expect.poll(same, { timeout: 30_000 }).toBe(true);
   expect(alone.workers()).toEqual([]);
+  // A page that is never idle keeps the first, coarse field.
+  const busy = await context.newPage();
+  await busy.addInitScript(() => {
+    window.requestIdleCallback = () => 0;
+    window.Worker = class {
+      constructor() {
+        throw new Error("There are no workers here.");
+      }
+    } as unknown as typeof Worker;
+  });
+  await alone.evaluate(() => localStorage.clear());
+  const coarse = await openExplore(busy);
+  await coarse.settled();
+  expect((await pictureOf(coarse)).equals(await pictureOf(lab))).toBe(false);
   await expect(other.alert).toBeEmpty();
 });
 

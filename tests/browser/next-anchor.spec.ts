@@ -57,6 +57,7 @@ test("Add it puts an anchor at the best place, which lowers the figure; one undo
   page,
 }) => {
   const lab = await openNextAnchor(page);
+  await expect(cell(page, "best")).not.toHaveText("–");
   const [now, best] = [await number(page, "now"), await number(page, "best")];
   expect(best).toBeLessThan(now);
   await expect(page.locator('svg.labels text[data-id="next anchor"]')).toContainText("7.14 mm now, ");

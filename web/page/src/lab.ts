@@ -79,6 +79,8 @@ export interface Lab<R extends LabRun = LabRun> {
   readonly drawings?: readonly Drawing[];
   /** A grid of numbers under the layers, the same object as long as it shows the same; a lab without it draws none. */
   field?(input: SceneInput<R>): FieldPicture | null;
+  /** What is found after the run and drawn with it: a change of any of it draws the scene anew. */
+  found?(): readonly unknown[];
   /** What the scene's uncertainty of each kind looks like, where it is not of ellipsoids and fans. */
   readonly uncertainty?: Readonly<Record<keyof UncertaintyShown, string>>;
   labels(input: SceneInput<R>): Label[];

@@ -54,6 +54,7 @@ export const lab: Lab<ExploreRun> = {
     downhill,
   ],
   field: picture,
+  found: () => [fields.field, nextSearch.place],
   handles,
   drawings,
   labels: (input) => [
