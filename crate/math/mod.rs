@@ -8,6 +8,7 @@ pub mod float;
 pub mod linalg;
 pub mod newton;
 pub mod number;
+pub mod orthogonal;
 mod polar;
 pub mod pose;
 pub mod projection;
