@@ -5,6 +5,7 @@ pub mod chi_squared;
 pub mod cholesky;
 pub mod exponential_integral;
 pub mod float;
+pub mod legendre;
 pub mod linalg;
 pub mod newton;
 pub mod number;

@@ -98,6 +98,22 @@ impl RelativeKinematics {
         Self { coefficients: self.coefficients.iter().map(|each| q * each).collect() }
     }
 
+    /// `B_l = sum_m Y_m^T Y_(l-m)/(m! (l-m)!)` for l = 0 to 2L (\[A\] eq. 7): `X(t)^T X(t) = sum_l B_l t^l`, N x N, m^2/s^l.
+    pub fn gram(&self) -> Vec<DMatrix<f64>> {
+        let mut factorial = 1.0;
+        let mut powers = Vec::with_capacity(self.coefficients.len());
+        for (l, coefficient) in self.coefficients.iter().enumerate() {
+            factorial *= l.max(1) as f64;
+            powers.push(coefficient / factorial);
+        }
+        let of_power = |l: usize| {
+            let terms = l.saturating_sub(self.degree())..=l.min(self.degree());
+            let zero = DMatrix::zeros(self.nodes(), self.nodes());
+            terms.fold(zero, |sum, m| sum + powers[m].transpose() * &powers[l - m])
+        };
+        (0..=2 * self.degree()).map(of_power).collect()
+    }
+
     /// Up to `degree`, coefficients beyond L being zero.
     pub fn with_degree(&self, degree: usize) -> Self {
         let mut coefficients = self.coefficients.clone();

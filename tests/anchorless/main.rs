@@ -1,0 +1,3 @@
+//! Relative kinematics of mobile nodes from the distances between them.
+
+mod figures;
