@@ -14,6 +14,7 @@ pub mod estimate;
 pub mod gauge;
 pub mod pair_polynomial;
 pub mod presets;
+pub mod run;
 pub mod settings;
 pub mod stamps;
 pub mod time_scale;
