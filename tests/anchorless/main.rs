@@ -8,3 +8,4 @@ mod gauge;
 mod scenes;
 mod simulation;
 mod study;
+mod table;
