@@ -35,7 +35,7 @@ pub enum Solver {
 
 /// What the second stage found.
 #[derive(Clone, Debug)]
-struct Velocities {
+struct SecondStage {
     /// `Y_1`, D x N.
     velocities: DMatrix<f64>,
     /// `H` with `Y_2 = H Yh_2`, in O(D).
@@ -132,7 +132,7 @@ pub fn algorithm_2(record: &DistanceRecord, degree: usize, solver: Solver) -> Re
     })
 }
 
-fn velocities(sides: &Sides, solver: Solver) -> Result<Velocities> {
+fn velocities(sides: &Sides, solver: Solver) -> Result<SecondStage> {
     match solver {
         Solver::Literal => products::solve(sides, products::Reading::Literal),
         Solver::Rank1 => products::solve(sides, products::Reading::Rank1),
