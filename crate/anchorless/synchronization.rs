@@ -63,10 +63,8 @@ pub fn snapshot_sync(record: &DistanceRecord, degree: usize) -> Result<Kinematic
     let fit = GramFit::new(record, 2 * degree)?;
     let scale = record.time_scale();
     let instants = chebyshev_nodes(instant_count(nodes, dimension, degree));
-    let snapshots: Vec<DMatrix<f64>> = instants
-        .iter()
-        .map(|&s| classical_scaling(&fit.at(scale.time(s)), dimension).positions)
-        .collect();
+    let snapshots: Vec<DMatrix<f64>> =
+        instants.iter().map(|&s| classical_scaling(&fit.at(scale.time(s)), dimension).positions).collect();
     let polynomial = PolynomialFit::new(WHAT, &instants, degree)?;
     let (frames, cost) = common_frames(&snapshots, &orthogonal_to(&polynomial, &instants, degree))?;
     let mut values = DMatrix::zeros(instants.len(), dimension * nodes);
