@@ -33,7 +33,13 @@ fn stacked(motion: &RelativeKinematics) -> Vec<f64> {
 
 /// All distances over their standard deviation and, with accelerometers, all centred accelerations over theirs; the last
 /// unknowns then are the angles of the frame.
-fn measurements(design: &KinematicsDesign, unknowns: &[f64], dimension: usize, nodes: usize, degree: usize) -> DVector<f64> {
+fn measurements(
+    design: &KinematicsDesign,
+    unknowns: &[f64],
+    dimension: usize,
+    nodes: usize,
+    degree: usize,
+) -> DVector<f64> {
     let size = dimension * nodes * (degree + 1);
     let motion = unstacked(&unknowns[..size], dimension, nodes);
     let mut all = Vec::new();
@@ -59,7 +65,7 @@ fn turn(phi: &[f64], dimension: usize) -> DMatrix<f64> {
     matrix
 }
 
-/// Fourth-order central differences, or what is spoiled: forward ones.
+/// Fourth-order central differences.
 fn slopes(f: impl Fn(&[f64]) -> DVector<f64>, at: &[f64]) -> DMatrix<f64> {
     let columns: Vec<DVector<f64>> = (0..at.len())
         .map(|i| {
@@ -164,21 +170,24 @@ fn coefficient_block(covariance: &DMatrix<f64>, l: usize, block: usize) -> DMatr
 
 #[test]
 fn an_explicit_null_space_gives_the_same() {
-    for scenario in [paper(30), random(50, 3, 7, 2), random(51, 2, 6, 3)] {
+    // Other networks are farther from being well determined than the paper's.
+    for (scenario, limit) in [(paper(30), 1e-11), (random(50, 3, 7, 2), 1e-8), (random(51, 2, 6, 3), 1e-8)] {
         let motion = motion(&scenario);
         let block = motion.dimension() * motion.nodes();
         for (design, bound) in designs(&scenario).iter().zip(bounds(&scenario)) {
             let slopes = exact_slopes(design, &motion);
             let expected = constrained(&slopes, &motion);
-            let spoiled = constrained(&(slopes.map_with_location(|_, j, value| if j < block { 1.01 * value } else { value })), &motion);
             for l in 0..=motion.degree() {
+                let own = l * block..(l + 1) * block;
+                let spoiled = slopes
+                    .map_with_location(|_, j, value| if own.contains(&j) { 1.01 * value } else { value });
+                let spoiled = constrained(&spoiled, &motion);
                 let found = bound.coefficient_covariance(l).unwrap();
                 let difference = |other: &DMatrix<f64>| {
                     let other = coefficient_block(other, l, block);
                     (&found - &other).norm() / other.norm()
                 };
-                println!("null space, l = {l}: {:e}", difference(&expected));
-                at_most("null space", difference(&expected), 1e-10);
+                at_most("null space", difference(&expected), limit);
                 caught("a slope off by a hundredth", difference(&spoiled), 1e-4);
             }
         }
@@ -210,7 +219,9 @@ fn finite_differences_give_the_same() {
                 let found = bound.coefficient_rmse(l).unwrap();
                 let rmse = |slopes| {
                     let covariance = constrained(slopes, &motion);
-                    (coefficient_block(&covariance, l, dimension * nodes).trace() / (dimension * nodes) as f64).sqrt()
+                    (coefficient_block(&covariance, l, dimension * nodes).trace()
+                        / (dimension * nodes) as f64)
+                        .sqrt()
                 };
                 at_most("differences", (found / rmse(&numeric) - 1.0).abs(), 1e-5);
                 if l == 2 {
@@ -228,7 +239,8 @@ fn gram(at: &[f64], dimension: usize, nodes: usize, l: usize) -> DVector<f64> {
     let mut sum = DMatrix::zeros(nodes, nodes);
     for m in 0..=l {
         if m <= motion.degree() && l - m <= motion.degree() {
-            sum += motion.coefficient(m).transpose() * motion.coefficient(l - m) / (factorial(m) * factorial(l - m));
+            sum += motion.coefficient(m).transpose() * motion.coefficient(l - m)
+                / (factorial(m) * factorial(l - m));
         }
     }
     DVector::from_vec((0..nodes).flat_map(|j| (j..nodes).map(move |i| (i, j))).map(|at| sum[at]).collect())
@@ -243,7 +255,9 @@ fn gram_coefficients_by_finite_differences() {
             let covariance = constrained(&exact_slopes(design, &motion), &motion);
             for l in 0..=4 {
                 let jacobian = slopes(|at| gram(at, dimension, nodes, l), &stacked(&motion));
-                let expected = ((&jacobian * &covariance * jacobian.transpose()).trace() / jacobian.nrows() as f64).sqrt();
+                let expected = ((&jacobian * &covariance * jacobian.transpose()).trace()
+                    / jacobian.nrows() as f64)
+                    .sqrt();
                 at_most("B", (bound.gram_rmse(l).unwrap() / expected - 1.0).abs(), 1e-6);
                 let other = bound.gram_rmse((l + 1) % 5).unwrap();
                 caught("another B", (other / expected - 1.0).abs(), 1e-2);
@@ -266,14 +280,19 @@ fn an_independent_program_gives_the_same() {
         (100, [0.743, 0.219, 0.065], [0.629, 0.171, 0.045]),
         (1000, [0.235, 0.070, 0.021], [0.198, 0.054, 0.0145]),
     ];
-    for ((k, distances, accelerometers), (_, gram_distances, gram_accelerometers)) in coefficients.into_iter().zip(grams) {
+    for ((k, distances, accelerometers), (_, gram_distances, gram_accelerometers)) in
+        coefficients.into_iter().zip(grams)
+    {
         let scenario = paper(k);
         for (bound, (expected, expected_gram)) in
             bounds(&scenario).iter().zip([(distances, gram_distances), (accelerometers, gram_accelerometers)])
         {
             for l in 0..3 {
                 let (found, gram) = (1e3 * bound.coefficient_rmse(l).unwrap(), bound.gram_rmse(l).unwrap());
-                println!("K = {k}, l = {l}: Y {found:.4} ({}), B {gram:.4} ({})", expected[l], expected_gram[l]);
+                println!(
+                    "K = {k}, l = {l}: Y {found:.4} ({}), B {gram:.4} ({})",
+                    expected[l], expected_gram[l]
+                );
                 // Printed with three digits, some with two.
                 at_most("Y", (found / expected[l] - 1.0).abs(), 0.01);
                 at_most("B", (gram / expected_gram[l] - 1.0).abs(), 0.03);
@@ -286,7 +305,10 @@ fn an_independent_program_gives_the_same() {
 fn positions_over_time() {
     let [distances, accelerometers] = bounds(&paper(100));
     let at = |bound: &KinematicsBound, time, alignment| 1e3 * bound.position_rmse(time, alignment).unwrap();
-    println!("one alignment: {:.3?}", [-5.0, -2.5, 0.0, 2.5, 5.0].map(|t| at(&distances, t, Alignment::AtZero)));
+    println!(
+        "one alignment: {:.3?}",
+        [-5.0, -2.5, 0.0, 2.5, 5.0].map(|t| at(&distances, t, Alignment::AtZero))
+    );
     println!("each: {:.3?}", [-5.0, -2.5, 0.0, 2.5, 5.0].map(|t| at(&distances, t, Alignment::AtEach)));
     println!("with: {:.3?}", [-5.0, 0.0, 5.0].map(|t| at(&accelerometers, t, Alignment::AtZero)));
     println!("with, each: {:.3?}", [-5.0, 0.0, 5.0].map(|t| at(&accelerometers, t, Alignment::AtEach)));
@@ -306,7 +328,8 @@ fn it_is_blind_to_the_gauge() {
     let motion = motion(&scenario);
     for design in designs(&scenario) {
         let here = KinematicsBound::new(&motion, &design).unwrap();
-        let shifted = motion.rotated(&turn).coefficients().iter().map(|y| y.map(|value| value + 7.0)).collect();
+        let shifted =
+            motion.rotated(&turn).coefficients().iter().map(|y| y.map(|value| value + 7.0)).collect();
         let there = KinematicsBound::new(&RelativeKinematics::new(shifted).unwrap(), &design).unwrap();
         for l in 0..3 {
             let ratio = there.coefficient_rmse(l).unwrap() / here.coefficient_rmse(l).unwrap();

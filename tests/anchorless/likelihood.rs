@@ -2,7 +2,9 @@
 
 use nalgebra::DMatrix;
 use rangelab::anchorless::estimate;
-use rangelab::anchorless::maximum_likelihood::{Detail, maximum_likelihood, maximum_likelihood_with_accelerometers};
+use rangelab::anchorless::maximum_likelihood::{
+    Detail, maximum_likelihood, maximum_likelihood_with_accelerometers,
+};
 use rangelab::anchorless::synchronization::snapshot_sync;
 use rangelab::bounds::kinematics::{KinematicsBound, KinematicsDesign};
 use rangelab::model::kinematics::coefficients::{RelativeKinematics, centred_columns};
@@ -38,7 +40,9 @@ fn slope(record: &DistanceRecord, at: &RelativeKinematics) -> f64 {
     let mut largest = 0.0_f64;
     for _ in 0..5 {
         let change: Vec<DMatrix<f64>> = (0..=at.degree())
-            .map(|l| DMatrix::from_fn(at.dimension(), at.nodes(), |_, _| sampler.normal() * 0.2_f64.powi(l as i32)))
+            .map(|l| {
+                DMatrix::from_fn(at.dimension(), at.nodes(), |_, _| sampler.normal() * 0.2_f64.powi(l as i32))
+            })
             .map(|change| centred_columns(&change))
             .collect();
         let moved = |h: f64| {
@@ -110,7 +114,11 @@ fn compressed_pairs_lose_nothing() {
 }
 
 /// RMSE over its bound, with distances alone and with accelerometers.
-pub fn ratios(scenario: &rangelab::model::kinematics::KinematicsScenario, name: KinematicsName, trials: u64) -> Vec<Rmse> {
+pub fn ratios(
+    scenario: &rangelab::model::kinematics::KinematicsScenario,
+    name: KinematicsName,
+    trials: u64,
+) -> Vec<Rmse> {
     let setup = scenario.setup().unwrap();
     let design = if name.reads_accelerations() {
         KinematicsDesign::with_accelerometers(&setup.stamps, &scenario.noise)

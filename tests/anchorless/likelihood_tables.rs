@@ -47,7 +47,9 @@ fn the_papers_network() {
             let start = Instant::now();
             let found = estimate(name, &scenario.estimators, &drawn.record).unwrap();
             seconds += start.elapsed().as_secs_f64();
-            for (l, square) in squared_errors(&found.kinematics.unwrap(), &drawn.truth).into_iter().enumerate() {
+            for (l, square) in
+                squared_errors(&found.kinematics.unwrap(), &drawn.truth).into_iter().enumerate()
+            {
                 squares[l].push(square);
             }
         }
@@ -75,7 +77,11 @@ fn the_papers_network() {
 #[test]
 #[ignore = "minutes"]
 fn networks_in_space() {
-    for (nodes, table) in [(8, [693.0, 26.2, 27.6, 4.72, 4.61]), (12, [37.4, 15.3, 15.4, 2.36, 2.32]), (20, [21.1, 10.2, 9.9, 1.81, 1.79])] {
+    for (nodes, table) in [
+        (8, [693.0, 26.2, 27.6, 4.72, 4.61]),
+        (12, [37.4, 15.3, 15.4, 2.36, 2.32]),
+        (20, [21.1, 10.2, 9.9, 1.81, 1.79]),
+    ] {
         let mut sums = [0.0; 5];
         let (networks, trials) = (10, 20);
         for seed in 0..networks {
@@ -85,7 +91,9 @@ fn networks_in_space() {
                 KinematicsDesign::distances(&setup.stamps, &scenario.noise),
                 KinematicsDesign::with_accelerometers(&setup.stamps, &scenario.noise),
             ];
-            let bounds = designs.map(|design| KinematicsBound::new(&setup.motion, &design).unwrap().coefficient_rmse(1).unwrap());
+            let bounds = designs.map(|design| {
+                KinematicsBound::new(&setup.motion, &design).unwrap().coefficient_rmse(1).unwrap()
+            });
             let names = [
                 KinematicsName::SnapshotSync,
                 KinematicsName::MaximumLikelihood,

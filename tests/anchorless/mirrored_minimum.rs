@@ -1,7 +1,9 @@
 //! With accelerations the cost has a second, mirrored minimum, and the start from distances keeps clear of it.
 
 use nalgebra::dmatrix;
-use rangelab::anchorless::maximum_likelihood::{Detail, joint_start, maximum_likelihood_with_accelerometers, refined};
+use rangelab::anchorless::maximum_likelihood::{
+    Detail, joint_start, maximum_likelihood_with_accelerometers, refined,
+};
 use rangelab::model::kinematics::KinematicsScenario;
 use rangelab::model::kinematics::settings::KinematicsName;
 use rangelab::simulate::kinematics::simulate_kinematics;
@@ -58,7 +60,9 @@ fn the_start_avoids_it() {
 #[ignore = "a minute"]
 fn the_start_avoids_it_in_200_trials_and_the_bound_is_met() {
     assert_eq!(mirrored(200), 0);
-    for name in [KinematicsName::MaximumLikelihoodAccelerometers, KinematicsName::MaximumLikelihoodAccelerometersFull] {
+    for name in
+        [KinematicsName::MaximumLikelihoodAccelerometers, KinematicsName::MaximumLikelihoodAccelerometersFull]
+    {
         for ratio in ratios(&rough(), name, 200) {
             println!("{name} at 1 m over the bound: {:.3} +- {:.3}", ratio.value, ratio.standard_error);
             at_most(name.name(), (ratio.value - 1.05).abs(), 0.05 + 4.5 * ratio.standard_error);

@@ -68,7 +68,8 @@ impl Rmse {
     pub fn of(squares: &[f64]) -> Self {
         let n = squares.len() as f64;
         let mean = squares.iter().sum::<f64>() / n;
-        let variance = squares.iter().map(|square| (square - mean) * (square - mean)).sum::<f64>() / (n - 1.0);
+        let variance =
+            squares.iter().map(|square| (square - mean) * (square - mean)).sum::<f64>() / (n - 1.0);
         Self { value: mean.sqrt(), standard_error: 0.5 * (variance / n).sqrt() / mean.sqrt() }
     }
 

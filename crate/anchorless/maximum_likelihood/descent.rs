@@ -83,7 +83,9 @@ fn newton_step<const D: usize>(
                 return Ok(Step { step, fall, cost, margin });
             }
             // Negative curvature far from a minimum: that of Gauss has none.
-            Err(_) if curvature == Curvature::Exact => return newton_step(objective, unknowns, Curvature::Gauss),
+            Err(_) if curvature == Curvature::Exact => {
+                return newton_step(objective, unknowns, Curvature::Gauss);
+            }
             Err(pivot) => margin = margin.or(Some(pivot)),
         }
     }
