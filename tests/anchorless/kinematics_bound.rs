@@ -81,13 +81,17 @@ fn slopes(f: impl Fn(&[f64]) -> DVector<f64>, at: &[f64]) -> DMatrix<f64> {
     DMatrix::from_columns(&columns)
 }
 
+/// `t^l/l!`.
+fn monomial(time: f64, l: usize) -> f64 {
+    (1..=l).fold(1.0, |product, i| product * time / i as f64)
+}
+
 /// The same slopes in closed form, in seconds, without any of the crate's own code.
 fn exact_slopes(design: &KinematicsDesign, motion: &RelativeKinematics) -> DMatrix<f64> {
     let (dimension, nodes, degree) = (motion.dimension(), motion.nodes(), motion.degree());
     let block = dimension * nodes;
     let angles = if design.sigma_acceleration.is_some() { dimension * (dimension - 1) / 2 } else { 0 };
     let size = block * (degree + 1) + angles;
-    let monomial = |time: f64, l: usize| (1..=l).fold(1.0, |product, i| product * time / i as f64);
     let mut rows = Vec::new();
     for &time in &design.stamps {
         let x = motion.positions(time);
@@ -102,28 +106,36 @@ fn exact_slopes(design: &KinematicsDesign, motion: &RelativeKinematics) -> DMatr
             }
             rows.extend(row);
         }
-        let Some(sigma) = design.sigma_acceleration else { continue };
-        let acceleration = centred_columns(&motion.derivative(2, time));
-        for node in 0..nodes {
-            for i in 0..dimension {
-                let mut row = vec![0.0; size];
-                for l in 2..=degree {
-                    for other in 0..nodes {
-                        let centring = f64::from(u8::from(node == other)) - 1.0 / nodes as f64;
-                        row[l * block + other * dimension + i] = centring * monomial(time, l - 2) / sigma;
-                    }
-                }
-                for angle in 0..angles {
-                    let mut phi = [0.0; 3];
-                    phi[angle] = 1.0;
-                    let generator = turn(&phi[..angles], dimension) - DMatrix::identity(dimension, dimension);
-                    row[size - angles + angle] = (generator * acceleration.column(node))[i] / sigma;
-                }
-                rows.extend(row);
-            }
+        if let Some(sigma) = design.sigma_acceleration {
+            rows.extend(acceleration_slopes(motion, time).iter().map(|slope| slope / sigma));
         }
     }
     DMatrix::from_row_slice(rows.len() / size, size, &rows)
+}
+
+/// Those of the centred accelerations at a time, row by row, with the angles of the frame last.
+fn acceleration_slopes(motion: &RelativeKinematics, time: f64) -> Vec<f64> {
+    let (dimension, nodes, degree) = (motion.dimension(), motion.nodes(), motion.degree());
+    let (block, angles) = (dimension * nodes, dimension * (dimension - 1) / 2);
+    let acceleration = centred_columns(&motion.derivative(2, time));
+    let mut rows = Vec::new();
+    for (node, i) in (0..nodes).flat_map(|node| (0..dimension).map(move |i| (node, i))) {
+        let mut row = vec![0.0; block * (degree + 1)];
+        for l in 2..=degree {
+            for other in 0..nodes {
+                let centring = f64::from(u8::from(node == other)) - 1.0 / nodes as f64;
+                row[l * block + other * dimension + i] = centring * monomial(time, l - 2);
+            }
+        }
+        rows.extend(row);
+        rows.extend((0..angles).map(|angle| {
+            let mut phi = [0.0; 3];
+            phi[angle] = 1.0;
+            let generator = turn(&phi[..angles], dimension) - DMatrix::identity(dimension, dimension);
+            (generator * acceleration.column(node))[i]
+        }));
+    }
+    rows
 }
 
 /// The bound from slopes and explicit constraints: centred coefficients, and positions at time 0 that are aligned to first

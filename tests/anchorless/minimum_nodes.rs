@@ -24,7 +24,7 @@ fn snapshots_need_two_nodes_more_than_dimensions() {
             let scenario = exact(random(11, dimension, dimension + 2, 2));
             let trial = simulate_kinematics(&scenario, 0).unwrap();
             let found = estimate(name, &scenario.estimators, &trial.record).unwrap();
-            // As few as can be leave one equation more than unknowns.
+            // With as few nodes as can be, the frames of the snapshots are poorly determined.
             let limit = if name == KinematicsName::SnapshotSync { 1e-4 } else { 1e-8 };
             at_most(name.name(), relative_error(&found.kinematics.unwrap(), &trial.truth), limit);
             let fewer = random(11, dimension, dimension + 1, 2);
