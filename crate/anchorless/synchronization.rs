@@ -10,6 +10,7 @@ use super::polynomial_fit::{PolynomialFit, powers_of};
 use crate::error::{Error, Result};
 use crate::math::legendre::legendre_values;
 use crate::math::orthogonal::nearest_orthogonal;
+use crate::model::kinematics::coefficients::RelativeKinematics;
 use crate::model::kinematics::distance_record::DistanceRecord;
 use crate::model::kinematics::estimate::KinematicsEstimate;
 use crate::model::kinematics::pair_polynomial::chebyshev_nodes;
@@ -53,6 +54,24 @@ const MAX_DISTANCE: f64 = 1e30;
 /// # Ok::<(), rangelab::Error>(())
 /// ```
 pub fn snapshot_sync(record: &DistanceRecord, degree: usize) -> Result<KinematicsEstimate> {
+    let Synchronized { motion, fit, cost } = synchronized(record, degree)?;
+    Ok(KinematicsEstimate {
+        kinematics: Some(motion),
+        gram: fit.powers(),
+        cost,
+        ..KinematicsEstimate::default()
+    })
+}
+
+pub(super) struct Synchronized {
+    pub motion: RelativeKinematics,
+    /// Of the Gram matrix.
+    fit: GramFit,
+    cost: f64,
+}
+
+/// [`snapshot_sync`] in parts.
+pub(super) fn synchronized(record: &DistanceRecord, degree: usize) -> Result<Synchronized> {
     let (nodes, dimension) = (record.nodes(), record.dimension());
     let reason = "With fewer, any rotation at each instant is a polynomial motion too.";
     super::at_least_nodes(WHAT, nodes, dimension + 2, reason)?;
@@ -77,12 +96,7 @@ pub fn snapshot_sync(record: &DistanceRecord, degree: usize) -> Result<Kinematic
     let powers = powers_of(&(0..=degree).map(of_legendre).collect::<Vec<_>>());
     let stacked: Vec<f64> = powers.iter().flat_map(|power| power.iter().copied()).collect();
     let scaled = from_stacked_powers(dimension, nodes, &stacked).centred();
-    Ok(KinematicsEstimate {
-        kinematics: Some(scale.unscale(&scaled)),
-        gram: fit.powers(),
-        cost,
-        ..KinematicsEstimate::default()
-    })
+    Ok(Synchronized { motion: scale.unscale(&scaled), fit, cost })
 }
 
 /// M.
