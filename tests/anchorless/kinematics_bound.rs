@@ -65,7 +65,7 @@ fn turn(phi: &[f64], dimension: usize) -> DMatrix<f64> {
     matrix
 }
 
-/// Fourth-order central differences, or what is spoiled: forward ones.
+/// Fourth-order central differences.
 fn slopes(f: impl Fn(&[f64]) -> DVector<f64>, at: &[f64]) -> DMatrix<f64> {
     let columns: Vec<DVector<f64>> = (0..at.len())
         .map(|i| {
@@ -81,13 +81,17 @@ fn slopes(f: impl Fn(&[f64]) -> DVector<f64>, at: &[f64]) -> DMatrix<f64> {
     DMatrix::from_columns(&columns)
 }
 
+/// `t^l/l!`.
+fn monomial(time: f64, l: usize) -> f64 {
+    (1..=l).fold(1.0, |product, i| product * time / i as f64)
+}
+
 /// The same slopes in closed form, in seconds, without any of the crate's own code.
 fn exact_slopes(design: &KinematicsDesign, motion: &RelativeKinematics) -> DMatrix<f64> {
     let (dimension, nodes, degree) = (motion.dimension(), motion.nodes(), motion.degree());
     let block = dimension * nodes;
     let angles = if design.sigma_acceleration.is_some() { dimension * (dimension - 1) / 2 } else { 0 };
     let size = block * (degree + 1) + angles;
-    let monomial = |time: f64, l: usize| (1..=l).fold(1.0, |product, i| product * time / i as f64);
     let mut rows = Vec::new();
     for &time in &design.stamps {
         let x = motion.positions(time);
@@ -102,28 +106,36 @@ fn exact_slopes(design: &KinematicsDesign, motion: &RelativeKinematics) -> DMatr
             }
             rows.extend(row);
         }
-        let Some(sigma) = design.sigma_acceleration else { continue };
-        let acceleration = centred_columns(&motion.derivative(2, time));
-        for node in 0..nodes {
-            for i in 0..dimension {
-                let mut row = vec![0.0; size];
-                for l in 2..=degree {
-                    for other in 0..nodes {
-                        let centring = f64::from(u8::from(node == other)) - 1.0 / nodes as f64;
-                        row[l * block + other * dimension + i] = centring * monomial(time, l - 2) / sigma;
-                    }
-                }
-                for angle in 0..angles {
-                    let mut phi = [0.0; 3];
-                    phi[angle] = 1.0;
-                    let generator = turn(&phi[..angles], dimension) - DMatrix::identity(dimension, dimension);
-                    row[size - angles + angle] = (generator * acceleration.column(node))[i] / sigma;
-                }
-                rows.extend(row);
-            }
+        if let Some(sigma) = design.sigma_acceleration {
+            rows.extend(acceleration_slopes(motion, time).iter().map(|slope| slope / sigma));
         }
     }
     DMatrix::from_row_slice(rows.len() / size, size, &rows)
+}
+
+/// Those of the centred accelerations at a time, row by row, with the angles of the frame last.
+fn acceleration_slopes(motion: &RelativeKinematics, time: f64) -> Vec<f64> {
+    let (dimension, nodes, degree) = (motion.dimension(), motion.nodes(), motion.degree());
+    let (block, angles) = (dimension * nodes, dimension * (dimension - 1) / 2);
+    let acceleration = centred_columns(&motion.derivative(2, time));
+    let mut rows = Vec::new();
+    for (node, i) in (0..nodes).flat_map(|node| (0..dimension).map(move |i| (node, i))) {
+        let mut row = vec![0.0; block * (degree + 1)];
+        for l in 2..=degree {
+            for other in 0..nodes {
+                let centring = f64::from(u8::from(node == other)) - 1.0 / nodes as f64;
+                row[l * block + other * dimension + i] = centring * monomial(time, l - 2);
+            }
+        }
+        rows.extend(row);
+        rows.extend((0..angles).map(|angle| {
+            let mut phi = [0.0; 3];
+            phi[angle] = 1.0;
+            let generator = turn(&phi[..angles], dimension) - DMatrix::identity(dimension, dimension);
+            (generator * acceleration.column(node))[i]
+        }));
+    }
+    rows
 }
 
 /// The bound from slopes and explicit constraints: centred coefficients, and positions at time 0 that are aligned to first
@@ -170,24 +182,24 @@ fn coefficient_block(covariance: &DMatrix<f64>, l: usize, block: usize) -> DMatr
 
 #[test]
 fn an_explicit_null_space_gives_the_same() {
-    for scenario in [paper(30), random(50, 3, 7, 2), random(51, 2, 6, 3)] {
+    // Other networks are farther from being well determined than the paper's.
+    for (scenario, limit) in [(paper(30), 1e-11), (random(50, 3, 7, 2), 1e-8), (random(51, 2, 6, 3), 1e-8)] {
         let motion = motion(&scenario);
         let block = motion.dimension() * motion.nodes();
         for (design, bound) in designs(&scenario).iter().zip(bounds(&scenario)) {
             let slopes = exact_slopes(design, &motion);
             let expected = constrained(&slopes, &motion);
-            let spoiled = constrained(
-                &(slopes.map_with_location(|_, j, value| if j < block { 1.01 * value } else { value })),
-                &motion,
-            );
             for l in 0..=motion.degree() {
+                let own = l * block..(l + 1) * block;
+                let spoiled = slopes
+                    .map_with_location(|_, j, value| if own.contains(&j) { 1.01 * value } else { value });
+                let spoiled = constrained(&spoiled, &motion);
                 let found = bound.coefficient_covariance(l).unwrap();
                 let difference = |other: &DMatrix<f64>| {
                     let other = coefficient_block(other, l, block);
                     (&found - &other).norm() / other.norm()
                 };
-                println!("null space, l = {l}: {:e}", difference(&expected));
-                at_most("null space", difference(&expected), 1e-10);
+                at_most("null space", difference(&expected), limit);
                 caught("a slope off by a hundredth", difference(&spoiled), 1e-4);
             }
         }

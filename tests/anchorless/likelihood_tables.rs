@@ -6,6 +6,7 @@ use std::time::Instant;
 
 use rangelab::anchorless::estimate;
 use rangelab::bounds::kinematics::{KinematicsBound, KinematicsDesign};
+use rangelab::model::kinematics::KinematicsScenario;
 use rangelab::model::kinematics::settings::KinematicsName;
 use rangelab::simulate::kinematics::simulate_kinematics;
 
@@ -40,24 +41,10 @@ fn the_papers_network() {
             KinematicsDesign::distances(&setup.stamps, &scenario.noise)
         };
         let bound = KinematicsBound::new(&setup.motion, &design).unwrap();
-        let mut squares = [const { Vec::new() }; 3];
-        let mut seconds = 0.0;
-        for trial in 0..TRIALS {
-            let drawn = simulate_kinematics(&scenario, trial).unwrap();
-            let start = Instant::now();
-            let found = estimate(name, &scenario.estimators, &drawn.record).unwrap();
-            seconds += start.elapsed().as_secs_f64();
-            for (l, square) in
-                squared_errors(&found.kinematics.unwrap(), &drawn.truth).into_iter().enumerate()
-            {
-                squares[l].push(square);
-            }
-        }
-        println!("K = {k}, {name}: {:.2e} s a trial", seconds / TRIALS as f64);
+        let squares = measured(&scenario, name);
         for l in 0..3 {
-            let least = bound.coefficient_rmse(l).unwrap();
             let found = Rmse::of(&squares[l]).over(1e-3);
-            let ratio = Rmse::of(&squares[l]).over(least);
+            let ratio = Rmse::of(&squares[l]).over(bound.coefficient_rmse(l).unwrap());
             println!(
                 "  Y{l}: {:.4} +- {:.4} (table {}), over the bound {:.3} +- {:.3}",
                 found.value, found.standard_error, expected[l], ratio.value, ratio.standard_error
@@ -70,6 +57,23 @@ fn the_papers_network() {
             }
         }
     }
+}
+
+/// Squared errors of each coefficient in all trials.
+fn measured(scenario: &KinematicsScenario, name: KinematicsName) -> [Vec<f64>; 3] {
+    let mut squares = [const { Vec::new() }; 3];
+    let mut seconds = 0.0;
+    for trial in 0..TRIALS {
+        let drawn = simulate_kinematics(scenario, trial).unwrap();
+        let start = Instant::now();
+        let found = estimate(name, &scenario.estimators, &drawn.record).unwrap();
+        seconds += start.elapsed().as_secs_f64();
+        for (l, square) in squared_errors(&found.kinematics.unwrap(), &drawn.truth).into_iter().enumerate() {
+            squares[l].push(square);
+        }
+    }
+    println!("K = {}, {name}: {:.2e} s a trial", scenario.stamps.count(), seconds / TRIALS as f64);
+    squares
 }
 
 /// N; RMSE of `Y_1` in space, mm/s: snapshots, ML, its bound, ML with accelerometers, its bound. Of other random networks than
