@@ -3,6 +3,7 @@
 use rangelab::Error;
 use rangelab::anchorless::estimate;
 use rangelab::model::kinematics::KinematicsScenario;
+use rangelab::model::kinematics::coefficients::RelativeKinematics;
 use rangelab::model::kinematics::distance_record::DistanceRecord;
 use rangelab::model::kinematics::presets::KINEMATICS_PRESETS;
 use rangelab::model::kinematics::settings::KinematicsName::{self, *};
@@ -200,7 +201,7 @@ fn no_preset_ends_in_nan() {
         let trial = simulate_kinematics(&scenario, 0).unwrap();
         for name in KinematicsName::ALL {
             let Ok(found) = estimate(name, &scenario.estimators, &trial.record) else { continue };
-            let motion = found.kinematics.iter().flat_map(|motion| motion.coefficients());
+            let motion = found.kinematics.iter().flat_map(RelativeKinematics::coefficients);
             let all =
                 motion.chain(&found.gram).chain(found.snapshots.iter().flatten()).chain(&found.rotation);
             assert!(
