@@ -7,10 +7,16 @@ use rangelab::model::kinematics::pair_polynomial::{chebyshev_nodes, lagrange_val
 use rangelab::model::kinematics::time_scale::TimeScale;
 use rangelab::simulate::kinematics::simulate_kinematics;
 
-use crate::scenes::{exact, largest_error, paper, random};
+use crate::networks::{exact, paper, random};
+
+/// The largest error of a coefficient as it stands, in parts of that coefficient.
+fn largest_error(found: &RelativeKinematics, truth: &RelativeKinematics) -> f64 {
+    let part = |(a, b): (&DMatrix<f64>, &DMatrix<f64>)| (a - b).norm() / b.norm();
+    found.coefficients().iter().zip(truth.coefficients()).map(part).fold(0.0, f64::max)
+}
 
 fn motion(dimension: usize, seed: u64) -> RelativeKinematics {
-    random(dimension, 7, 3, seed).setup().unwrap().motion
+    random(seed, dimension, 7, 3).setup().unwrap().motion
 }
 
 /// A rotation and a reflection, in the plane and in space.

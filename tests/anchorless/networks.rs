@@ -18,7 +18,7 @@ pub fn paper(k: usize) -> KinematicsScenario {
 /// A network of nodes within a kilometre, with coefficients of the size of the paper's.
 pub fn random(seed: u64, dimension: usize, nodes: usize, degree: usize) -> KinematicsScenario {
     let mut sampler = Sampler::new(seed);
-    let scales = [1000.0, 10.0, 1.0, 0.1];
+    let scales = [1000.0, 10.0, 1.0, 0.1, 0.01];
     let mut scenario = paper(100);
     scenario.coefficients = (0..=degree)
         .map(|l| {

@@ -3,6 +3,7 @@
 use alloc::string::ToString;
 
 use super::block::KinematicsBlock;
+use super::bounds::{KinematicsBoundReport, kinematics_bounds};
 use super::errors::Yardstick;
 use super::report::{KinematicsEstimatorReport, KinematicsReport};
 use crate::error::{Error, Result};
@@ -27,6 +28,7 @@ pub struct KinematicsMonteCarlo<'a> {
     scenario: &'a KinematicsScenario,
     setup: KinematicsSetup,
     yardstick: Yardstick,
+    bounds: [KinematicsBoundReport; 2],
     trials: usize,
 }
 
@@ -42,7 +44,8 @@ impl<'a> KinematicsMonteCarlo<'a> {
         }
         let setup = scenario.setup()?;
         let yardstick = Yardstick::new(scenario, &setup);
-        Ok(Self { scenario, setup, yardstick, trials })
+        let bounds = kinematics_bounds(scenario, &setup, &yardstick);
+        Ok(Self { scenario, setup, yardstick, bounds, trials })
     }
 
     /// How many blocks there are.
@@ -97,6 +100,7 @@ impl<'a> KinematicsMonteCarlo<'a> {
                     summary: done.estimator(index),
                 })
                 .collect(),
+            bounds: self.bounds.to_vec(),
         }
     }
 }
