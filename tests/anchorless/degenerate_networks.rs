@@ -95,7 +95,7 @@ fn nodes_that_are_one() {
     let heap = changed(|scenario| {
         scenario.coefficients.iter_mut().for_each(|points| {
             let first = points[0].clone();
-            points.iter_mut().for_each(|point| point.clone_from(&first));
+            points.fill(first);
         });
     });
     simulated("heap", &heap);
