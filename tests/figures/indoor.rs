@@ -27,7 +27,9 @@ pub const FAIL: [&str; 18] = [
     "1e-1: what 90 % of the trials of UKFRie",
     "U: angle of UKFRie over that of UKF, worst",
 ];
-pub const OPEN: [&str; 7] = [
+pub const OPEN: [&str; 9] = [
+    "orientation: largest RMSE of EKF, EKFRie, UKF, UKFRie over the least",
+    "orientation: the same, with Iso too",
     "U: angle of EKFRie over that of EKF, worst",
     "U: angle of UKFRie over that of UKF, worst",
     "RMSE of EKF at 500 Hz over that at 200 Hz",
