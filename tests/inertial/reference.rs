@@ -242,6 +242,14 @@ impl Fifteen {
         points
     }
 
+    /// The points at which step 5 takes the noise of the input, with its weights.
+    fn noise_points(&self, choices: &Choices) -> Vec<(f64, Vector)> {
+        if choices.squared_weights {
+            return self.sigma_points_at(1e-3).into_iter().map(|(xi, x)| (xi * xi, x)).collect();
+        }
+        self.sigma_points()
+    }
+
     /// One step of UKF and UKFRie.
     pub fn unscented(
         &mut self,
@@ -253,11 +261,7 @@ impl Fifteen {
         let on_manifold = name == FilterName::UkfRie;
         let (old, before) = (rotation(&self.x), self.p.clone());
         let points = self.sigma_points();
-        let noisy = if choices.squared_weights {
-            self.sigma_points_at(1e-3).into_iter().map(|(xi, x)| (xi * xi, x)).collect()
-        } else {
-            points.clone()
-        };
+        let noisy = self.noise_points(choices);
         let moved: Vec<_> = points.iter().map(|(xi, x)| (*xi, Self::moved(recording, epoch, x))).collect();
         self.x = mean(&moved);
         self.p = covariance(&moved, &self.x, &moved, &self.x);
