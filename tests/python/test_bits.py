@@ -33,25 +33,14 @@ def test_runs_are_those_of_the_page(name: str) -> None:
 def test_runs_are_those_of_the_command_line(cli: Cli, name: str) -> None:
     scenario = Scenario.preset(name)
     assert scenario.run(3).to_json().strip() == cli("run", name, "--trial", "3").strip()
-    assert (
-        scenario.run(3).to_csv().strip()
-        == cli("run", name, "--trial", "3", "--format", "csv").strip()
-    )
-    assert (
-        scenario.simulate(3).to_json().strip()
-        == cli("simulate", name, "--trial", "3").strip()
-    )
+    assert scenario.run(3).to_csv().strip() == cli("run", name, "--trial", "3", "--format", "csv").strip()
+    assert scenario.simulate(3).to_json().strip() == cli("simulate", name, "--trial", "3").strip()
 
 
 def test_a_recording_gives_the_run_of_the_command_line(cli: Cli) -> None:
     recording = Scenario.preset("missing-ranges").simulate()
-    expected = cli(
-        "estimate", "-", "--estimators", "kf,uc-kf", given=recording.to_json()
-    )
-    assert (
-        recording.run({"enabled": ["kf", "uc-kf"]}).to_json().strip()
-        == expected.strip()
-    )
+    expected = cli("estimate", "-", "--estimators", "kf,uc-kf", given=recording.to_json())
+    assert recording.run({"enabled": ["kf", "uc-kf"]}).to_json().strip() == expected.strip()
 
 
 def test_studies_are_those_of_the_command_line_on_any_number_of_threads(
@@ -73,10 +62,7 @@ def test_budgets_and_figures_are_those_of_the_command_line(cli: Cli) -> None:
         "--thresholds",
         "0.1,0.2",
     )
-    assert (
-        Scenario.preset("tracking-paper").budget_study([0.1, 0.2], 30).to_json()
-        == cli(*arguments).strip()
-    )
+    assert Scenario.preset("tracking-paper").budget_study([0.1, 0.2], 30).to_json() == cli(*arguments).strip()
     figure = rangelab.figure("localization-2", 20, seed=5)
     for text, kind in ((figure.to_json(), "json"), (figure.csv, "csv")):
         arguments = (
@@ -93,15 +79,9 @@ def test_budgets_and_figures_are_those_of_the_command_line(cli: Cli) -> None:
 
 
 def test_localization_studies_are_those_of_the_command_line(cli: Cli) -> None:
-    study = Scenario.preset("room").localization_study(
-        [{"kind": "range", "sigma": 0.02}], 60
-    )
-    document = Scenario.preset("room").replace(
-        {"noise": {"kind": "range", "sigma": 0.02}}
-    )
-    assert (
-        study.to_json() == document.localization_study(trials=60, threads=1).to_json()
-    )
+    study = Scenario.preset("room").localization_study([{"kind": "range", "sigma": 0.02}], 60)
+    document = Scenario.preset("room").replace({"noise": {"kind": "range", "sigma": 0.02}})
+    assert study.to_json() == document.localization_study(trials=60, threads=1).to_json()
 
 
 def test_documents_come_back_as_the_same_bits() -> None:
@@ -123,38 +103,18 @@ def test_arrays_are_the_numbers_of_the_document() -> None:
     for part in document["estimators"]:
         each = run[part["name"]]
         steps = part["steps"]
-        assert np.array_equal(
-            each.orientations, [step["posterior"]["orientation"] for step in steps]
-        )
-        assert np.array_equal(
-            each.positions, [step["posterior"]["position"] for step in steps]
-        )
-        assert np.array_equal(
-            each.prior_positions, [step["prior"]["position"] for step in steps]
-        )
-        assert np.array_equal(
-            each.position_covariances, [step["position_covariance"] for step in steps]
-        )
-        assert np.array_equal(
-            each.position_errors, [step["errors"]["position"] for step in steps]
-        )
-        assert np.array_equal(
-            each.orientation_errors, [step["errors"]["angle"] for step in steps]
-        )
+        assert np.array_equal(each.orientations, [step["posterior"]["orientation"] for step in steps])
+        assert np.array_equal(each.positions, [step["posterior"]["position"] for step in steps])
+        assert np.array_equal(each.prior_positions, [step["prior"]["position"] for step in steps])
+        assert np.array_equal(each.position_covariances, [step["position_covariance"] for step in steps])
+        assert np.array_equal(each.position_errors, [step["errors"]["position"] for step in steps])
+        assert np.array_equal(each.orientation_errors, [step["errors"]["angle"] for step in steps])
         assert np.array_equal(each.events, [step["event"] for step in steps])
     for part in document["bounds"]:
-        traces = [
-            np.nan if step is None else step["position_trace"] for step in part["steps"]
-        ]
-        assert np.array_equal(
-            run.bounds[part["name"]].position ** 2, np.sqrt(traces) ** 2, equal_nan=True
-        )
-    missing = {
-        (k, *pair) for k, pairs in enumerate(document["missing"]) for pair in pairs
-    }
-    assert missing == {
-        tuple(int(i) for i in index) for index in np.argwhere(~run.present)
-    }
+        traces = [np.nan if step is None else step["position_trace"] for step in part["steps"]]
+        assert np.array_equal(run.bounds[part["name"]].position ** 2, np.sqrt(traces) ** 2, equal_nan=True)
+    missing = {(k, *pair) for k, pairs in enumerate(document["missing"]) for pair in pairs}
+    assert missing == {tuple(int(i) for i in index) for index in np.argwhere(~run.present)}
     assert missing
 
 

@@ -27,9 +27,7 @@ def test_every_problem_is_listed_with_path_value_and_limit(
     # The command line says the same.
     command = [str(ROOT / "target/debug/rangelab"), "run", "-"]
 
-    done = subprocess.run(
-        command, input=json.dumps(spoiled), capture_output=True, text=True
-    )
+    done = subprocess.run(command, input=json.dumps(spoiled), capture_output=True, text=True)
     assert done.returncode != 0
     for path, value, limit in caught.value.problems:
         assert f"{path} is {value}, allowed: {limit}" in text
@@ -55,9 +53,7 @@ def test_every_problem_is_listed_with_path_value_and_limit(
         (lambda: ROOM.simulate().localize("guess"), "no localizer is called"),
         (lambda: ROOM.simulate().localize(epoch=99), "epoch"),
         (
-            lambda: ROOM.simulate().localize(
-                settings={"loss": {"kind": "huber", "scale": -1}}
-            ),
+            lambda: ROOM.simulate().localize(settings={"loss": {"kind": "huber", "scale": -1}}),
             "scale is -1",
         ),
         (lambda: ROOM.run()["kalman"], "there are: kf"),
@@ -66,9 +62,7 @@ def test_every_problem_is_listed_with_path_value_and_limit(
         (lambda: ROOM.bound_at([0.0]), "coordinates of the point"),
         (lambda: ROOM.field(0), "resolution"),
         (
-            lambda: Recording.from_arrays(
-                anchors=[[0, 0]], sensors=[[0, 0]], noise={}, interval=1
-            ),
+            lambda: Recording.from_arrays(anchors=[[0, 0]], sensors=[[0, 0]], noise={}, interval=1),
             "one of the two",
         ),
     ],
@@ -120,16 +114,11 @@ def test_other_threads_run_meanwhile() -> None:
 
 def test_a_study_tells_its_progress_and_stops_when_asked() -> None:
     heard: list[tuple[int, int]] = []
-    whole = ROOM.replace(steps=2).study(
-        50, progress=lambda done, total: heard.append((done, total))
-    )
+    whole = ROOM.replace(steps=2).study(50, progress=lambda done, total: heard.append((done, total)))
     assert heard == [(0, 50), (20, 50), (40, 50), (50, 50)]
     half = ROOM.replace(steps=2).study(50, progress=lambda done, _: done < 20)
     assert (whole.trials, half.trials, half.asked) == (50, 20, 50)
-    assert (
-        half.to_dict()["estimators"]
-        == ROOM.replace(steps=2).study(20).to_dict()["estimators"]
-    )
+    assert half.to_dict()["estimators"] == ROOM.replace(steps=2).study(20).to_dict()["estimators"]
     with pytest.raises(rangelab.Cancelled):
         ROOM.study(50, progress=lambda done, total: False)
 

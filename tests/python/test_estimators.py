@@ -15,9 +15,7 @@ LOCALIZERS = [estimator["name"] for estimator in ROOM.localize()["estimators"]]
 
 @pytest.mark.parametrize("scenario", [ROOM, PLANAR], ids=["space", "plane"])
 @pytest.mark.parametrize("name", TRACKERS)
-def test_a_tracker_alone_is_the_tracker_of_the_run(
-    scenario: Scenario, name: str
-) -> None:
+def test_a_tracker_alone_is_the_tracker_of_the_run(scenario: Scenario, name: str) -> None:
     recording = scenario.simulate(2)
     track, run = recording.track(name), recording.run()[name]
     assert track.failure is None
@@ -75,12 +73,8 @@ def test_arrays_of_ones_own_make_a_recording() -> None:
     )
     assert np.array_equal(own.squared_ranges, squared, equal_nan=True)
     assert np.isnan(own.truth_positions).all()
-    assert np.array_equal(
-        own.track("kf").positions[:3], recording.track("kf").positions[:3]
-    )
-    assert not np.array_equal(
-        own.track("kf").positions[3], recording.track("kf").positions[3]
-    )
+    assert np.array_equal(own.track("kf").positions[:3], recording.track("kf").positions[:3])
+    assert not np.array_equal(own.track("kf").positions[3], recording.track("kf").positions[3])
     still = Recording.from_arrays(
         anchors=recording.anchors,
         sensors=recording.sensors,
@@ -89,7 +83,7 @@ def test_arrays_of_ones_own_make_a_recording() -> None:
         ranges=np.sqrt(squared),
     )
     assert np.array_equal(still.velocities, np.zeros((60, 3)))
-    assert not still.run().bounds
+    assert list(still.run().bounds) == ["linear_posterior_crb"]
 
 
 def test_shapes_in_the_plane() -> None:
@@ -138,14 +132,13 @@ def test_curves_hold_values_and_standard_errors() -> None:
     study = ROOM.study(40)
     curve = study.curve("uc-kf", "rmse_position")
     steps = study.to_dict()["estimators"][2]["steps"]
-    assert np.array_equal(
-        curve.values, [step["rmse_position"]["value"] for step in steps]
-    )
+    assert np.array_equal(curve.values, [step["rmse_position"]["value"] for step in steps])
     assert np.array_equal(
         curve.standard_errors,
         [step["rmse_position"]["standard_error"] for step in steps],
     )
-    assert study.curve("posterior_crb", "position").values[-1] < curve.values[-1]
+    bound = study.curve("posterior_crb", "position").values
+    assert (curve.values > bound - 4 * curve.standard_errors).all()
 
 
 def test_scenarios_travel_to_other_processes() -> None:
@@ -162,13 +155,9 @@ def test_frames_hold_every_number() -> None:
     assert len(pandas) == len(polars) == 6 * 60
     kf = pandas[pandas["estimator"] == "kf"]
     assert np.array_equal(kf["position_error_m"], run["kf"].position_errors)
-    assert np.array_equal(
-        polars["position_error_m"][:60].to_numpy(), run["kf"].position_errors
-    )
+    assert np.array_equal(polars["position_error_m"][:60].to_numpy(), run["kf"].position_errors)
     study = ROOM.study(20)
-    assert {"name", "step", "rmse_position", "rmse_position_standard_error"} <= set(
-        study.to_pandas().columns
-    )
+    assert {"name", "step", "rmse_position", "rmse_position_standard_error"} <= set(study.to_pandas().columns)
     assert study.to_polars().height == len(study.rows())
 
 

@@ -158,9 +158,8 @@ impl Recording {
 
     /// NaN where the truth is not known.
     fn truth(&self, width: usize, read: impl Fn(&PoseEntries) -> Vec<f64>) -> impl Iterator<Item = f64> {
-        let row = move |epoch: &EpochDocument| {
-            epoch.truth.as_ref().map_or_else(|| vec![f64::NAN; width], &read)
-        };
+        let row =
+            move |epoch: &EpochDocument| epoch.truth.as_ref().map_or_else(|| vec![f64::NAN; width], &read);
         self.document.epochs.iter().flat_map(row)
     }
 }

@@ -38,10 +38,12 @@ impl Track {
         // Columns of the transpose are rows.
         self.orientations.extend(step.posterior.orientation.transpose().iter());
         self.positions.extend(step.posterior.position.iter());
-        self.position_covariances.extend(step.uncertainty.position_block().iter());
+        self.position_covariances.extend(step.uncertainty.position_block().transpose().iter());
         let angles = rangelab::math::rotation::rotation_angles(D);
         match step.rotation_covariance() {
-            Ok(matrix) => self.rotation_covariances.extend(matrix.view((0, 0), (angles, angles)).iter()),
+            Ok(matrix) => {
+                self.rotation_covariances.extend(matrix.view((0, 0), (angles, angles)).transpose().iter())
+            }
             Err(_) => self.rotation_covariances.extend(std::iter::repeat_n(f64::NAN, angles * angles)),
         }
         self.nis.push(step.nis.value);
