@@ -76,6 +76,7 @@ def joined(kind: Kind, text: str, trials: int, chunks: list[Floats]) -> dict[str
     total = plan_of(kind, text, trials).start()
     for chunk in chunks:
         for numbers in chunk:
-            total.push(np.ascontiguousarray(numbers))
+            # What comes over the wire may lie anywhere in memory.
+            total.push(np.require(numbers, np.float64, ["C", "A"]))
     report: dict[str, Any] = json.loads(total.report())
     return report

@@ -74,6 +74,7 @@ class Controls:
     def _preset(self) -> None:
         names = ("…", *(each["name"] for each in presets()))
         chosen = self._server.gui.add_dropdown("preset", names)
+        self._follow.append(lambda document: put(chosen, document["name"] if document["name"] in names else "…"))
 
         @chosen.on_update
         def _(_: Event) -> None:

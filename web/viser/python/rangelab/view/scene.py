@@ -31,7 +31,7 @@ class Scene:
         server.scene.configure_default_lights(cast_shadow=False)
 
     def draw(self, shown: Shown, step: int, magnify: float) -> None:
-        """Draws a run at a step; ellipsoids are `magnify` times as large as one standard deviation."""
+        """Draws a run at a step, its errors and ellipsoids (one standard deviation) `magnify` times as large."""
         with self._server.atomic():
             self._handles(shown)
             seen = set(self._changing)
@@ -54,7 +54,7 @@ class Scene:
         )
         away = np.array([0.25, -1.0, 0.75]) if shown.run.dimension == 3 else np.array([0.0, -0.15, 1.0])
         self._server.initial_camera.look_at = tuple(centre)
-        self._server.initial_camera.position = tuple(centre + 1.15 * size * away / np.linalg.norm(away))
+        self._server.initial_camera.position = tuple(centre + 0.8 * size * away / np.linalg.norm(away))
         self._server.initial_camera.up = (0.0, 0.0, 1.0)
 
     def _handles(self, shown: Shown) -> None:
@@ -133,7 +133,7 @@ class Scene:
             segments = shapes.between(run.anchors, sensors, run.present[step])
             parts += self._lines("/ranges", segments, "range", 1.0)
         for name, each in run.estimators.items():
-            positions = each.positions
+            positions = shapes.magnified(each.positions, truth, magnify)
             parts += self._lines(f"/estimators/{name}/path", shapes.path(positions), name, 2.0)
             if np.isfinite(positions[step]).all():
                 sensors = shapes.body(each.orientations[step], positions[step], run.sensors)

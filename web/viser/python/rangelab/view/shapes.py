@@ -16,6 +16,11 @@ def lifted(points: Floats) -> Floats:
     return flat
 
 
+def magnified(positions: Floats, truth: Floats, times: float) -> Floats:
+    """Estimates with their errors so many times as large; as they are where the truth is not known."""
+    return np.where(np.isfinite(truth), truth + times * (positions - truth), positions)
+
+
 def path(points: Floats) -> Floats:
     """The segments of a path (S x 2 x 3), without those that a missing point would have."""
     points = lifted(points)

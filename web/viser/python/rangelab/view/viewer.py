@@ -37,10 +37,11 @@ class Viewer:
         self._note = self._server.gui.add_markdown("")
         self._timeline = Timeline(self._server, len(self.shown.run.times), self.draw)
         self._scene = Scene(self._server, self._moved, self._posed)
-        self._controls = Controls(self._server, self._studio, self.open, page)
-        with self._server.gui.add_folder("Plots"):
-            self._plots = plots(self._server)
-        self._save_buttons()
+        tabs = self._server.gui.add_tab_group()
+        with tabs.add_tab("Scenario"):
+            self._controls = Controls(self._server, self._studio, self.open, page)
+            self._save_buttons()
+        self._plots = plots(self._server, tabs.add_tab("Plots"))
         self._server.gui.configure_theme(control_width="large", show_share_button=False)
         self._scene.frame(self.shown)
         self._show(self.shown)
