@@ -1,20 +1,18 @@
 """A sweep from grid to table."""
 
 from collections.abc import Iterable
-from concurrent.futures import FIRST_COMPLETED, Future, wait
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 from .._core import Cancelled, Error
-from ..arrays import Floats
 from ..documents import plain
 from ..frames import Row, rows_of_report
 from ..indoor import IndoorScenario
 from ..jobs import Progress
 from ..scenario import Scenario
 from .chunks import Chunk, Grid, Kind, chunks_of, joined, points_of
-from .engines import Submit, engine
+from .engines import Engine, Pending, engine
 from .result import Sweep
 from .store import Store
 
@@ -54,8 +52,8 @@ def sweep(
     scenarios = [scenario.replace(point) for point in points]
     chunks = [list(chunks_of(chosen, each, trials, trials_per_chunk)) for each in scenarios]
     store, told = Store(folder), Told(progress, trials * len(points))
-    with engine(on) as (submit, window):
-        _complete([chunk for each in chunks for chunk in each], store, submit, window, told)
+    with engine(on) as chosen_engine:
+        _complete([chunk for each in chunks for chunk in each], store, chosen_engine, told)
     rows: list[Row] = []
     for point, each, own in zip(points, scenarios, chunks, strict=True):
         numbers = [found for chunk in own if (found := store.get(chunk)) is not None]
@@ -82,12 +80,12 @@ class Told:
             raise Cancelled(f"the sweep was called off after {self._done} of {self._total} trials")
 
 
-def _complete(chunks: Iterable[Chunk], store: Store, submit: Submit, window: int, told: Told) -> None:
+def _complete(chunks: Iterable[Chunk], store: Store, on: Engine, told: Told) -> None:
     """Computes the chunks that are not in the store yet."""
-    ahead: dict[Future[Floats], Chunk] = {}
+    ahead: dict[Pending, Chunk] = {}
 
     def settle() -> None:
-        for future in wait(ahead, return_when=FIRST_COMPLETED).done:
+        for future in on.next_done(ahead):
             chunk = ahead.pop(future)
             store.put(chunk, future.result())
             told.done(chunk)
@@ -97,8 +95,8 @@ def _complete(chunks: Iterable[Chunk], store: Store, submit: Submit, window: int
             if store.get(chunk) is not None:
                 told.done(chunk)
                 continue
-            ahead[submit(chunk)] = chunk
-            if len(ahead) >= window:
+            ahead[on.submit(chunk)] = chunk
+            if len(ahead) >= on.window:
                 settle()
         while ahead:
             settle()

@@ -17,13 +17,13 @@ class Plot:
     def __init__(
         self,
         server: viser.ViserServer,
-        tab: viser.GuiTabHandle,
+        folder: viser.GuiFolderHandle,
         title: str,
         of: Callable[[EstimatorRun], Floats],
         bound: Callable[[BoundRun], Floats] | None,
         logarithmic: bool = True,
     ) -> None:
-        self._server, self._tab = server, tab
+        self._server, self._folder = server, folder
         self._title, self._of, self._bound = title, of, bound
         self._logarithmic = logarithmic
         self._handle: viser.GuiUplotHandle | None = None
@@ -40,15 +40,15 @@ class Plot:
         if self._handle is not None:
             self._handle.remove()
         self._series = series
-        with self._tab:
+        with self._folder:
             self._handle = self._server.gui.add_uplot(
                 data,
                 series,
                 title=self._title,
                 scales={"x": {"time": False}, "y": {"distr": 3 if self._logarithmic else 1}},
                 axes=({"label": "time, s"}, {"size": 62}),
-                legend={"show": True},
-                height=260,
+                legend={"show": True, "live": False},
+                height=220,
             )
 
     def _lines(self, run: Run) -> list[tuple[uplot.Series, Floats]]:
@@ -67,18 +67,18 @@ class Plot:
         return np.where(values > 0, values, np.nan) if self._logarithmic else values
 
 
-def plots(server: viser.ViserServer, tab: viser.GuiTabHandle) -> list[Plot]:
+def plots(server: viser.ViserServer, folder: viser.GuiFolderHandle) -> list[Plot]:
     """The page's plots of one run."""
     return [
         Plot(
             server,
-            tab,
+            folder,
             "Orientation error, deg",
             lambda each: np.degrees(each.orientation_errors),
             lambda bound: np.degrees(bound.orientation),
         ),
-        Plot(server, tab, "Position error, m", lambda each: each.position_errors, lambda bound: bound.position),
-        Plot(server, tab, "NEES over its degrees of freedom", _nees, None),
+        Plot(server, folder, "Position error, m", lambda each: each.position_errors, lambda bound: bound.position),
+        Plot(server, folder, "NEES over its degrees of freedom", _nees, None),
     ]
 
 

@@ -5,8 +5,10 @@ from collections.abc import Callable
 import numpy as np
 import trimesh
 import viser
+from PIL import Image
 
 from ..arrays import Floats
+from ..field import Field
 from ..scenario import Scenario
 from . import shapes
 from .colours import field_colours, rgb
@@ -54,7 +56,7 @@ class Scene:
         )
         away = np.array([0.25, -1.0, 0.75]) if shown.run.dimension == 3 else np.array([0.0, -0.15, 1.0])
         self._server.initial_camera.look_at = tuple(centre)
-        self._server.initial_camera.position = tuple(centre + 0.8 * size * away / np.linalg.norm(away))
+        self._server.initial_camera.position = tuple(centre + 0.95 * size * away / np.linalg.norm(away))
         self._server.initial_camera.up = (0.0, 0.0, 1.0)
 
     def _handles(self, shown: Shown) -> None:
@@ -164,14 +166,23 @@ class Scene:
         field = shown.field
         if field is None:
             return []
-        vertices, faces = shapes.field_mesh(field)
-        colours = np.full((len(vertices), 4), 255, dtype=np.uint8)
-        colours[:, :3] = np.repeat(field_colours(field.values).reshape(-1, 3), 4, axis=0)
-        material = trimesh.visual.material.PBRMaterial(  # type: ignore[no-untyped-call]
-            doubleSided=True, roughnessFactor=1.0, metallicFactor=0.0
-        )
-        mesh = trimesh.Trimesh(vertices, faces, process=False)
-        mesh.visual = trimesh.visual.TextureVisuals(material=material)  # type: ignore[no-untyped-call]
-        mesh.visual.vertex_attributes["color"] = colours
-        handle = self._server.scene.add_mesh_trimesh("/field", mesh, cast_shadow=False, receive_shadow=False)
+        handle = self._server.scene.add_mesh_trimesh("/field", _glowing(field), cast_shadow=False, receive_shadow=False)
         return [("/field", handle)]
+
+
+def _glowing(field: Field) -> trimesh.Trimesh:
+    """The field as a mesh that shines by itself: light would change its colours."""
+    vertices, faces, places = shapes.field_mesh(field)
+    # Rows of a picture go down.
+    picture = Image.fromarray(field_colours(field.values)[::-1].round().astype(np.uint8))
+    material = trimesh.visual.material.PBRMaterial(  # type: ignore[no-untyped-call]
+        baseColorFactor=(0, 0, 0, 255),
+        emissiveTexture=picture,
+        emissiveFactor=(1.0, 1.0, 1.0),
+        doubleSided=True,
+        roughnessFactor=1.0,
+        metallicFactor=0.0,
+    )
+    mesh = trimesh.Trimesh(vertices, faces, process=False)
+    mesh.visual = trimesh.visual.TextureVisuals(uv=places, material=material)  # type: ignore[no-untyped-call]
+    return mesh

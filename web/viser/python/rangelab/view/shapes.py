@@ -67,16 +67,12 @@ def ellipsoid(covariance: Floats, centre: Floats, scale: float) -> Mesh:
     return scale * vertices @ root.T + lifted(centre), faces
 
 
-def field_mesh(field: Field) -> Mesh:
-    """Two triangles for each cell, cell by cell."""
-    rows, columns = field.values.shape
+def field_mesh(field: Field) -> tuple[Floats, np.ndarray, Floats]:
+    """The rectangle of a field: vertices, faces, and for each vertex the place on the picture (0 to 1, from below)."""
     corner, along, across = field.edges
-    u, v = along / columns, across / rows
-    i, j = np.meshgrid(np.arange(rows), np.arange(columns), indexing="ij")
-    cells = corner + i.reshape(-1, 1) * v + j.reshape(-1, 1) * u
-    vertices = np.stack([cells, cells + u, cells + u + v, cells + v], axis=1).reshape(-1, 3)
-    first = 4 * np.arange(rows * columns)[:, None]
-    return vertices, np.concatenate([first + np.array([0, 1, 2]), first + np.array([0, 2, 3])], axis=1).reshape(-1, 3)
+    places = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
+    vertices = corner + places[:, :1] * along + places[:, 1:] * across
+    return vertices, np.array([[0, 1, 2], [0, 2, 3]]), places
 
 
 def quaternion(rotation: Floats) -> Floats:
