@@ -46,7 +46,8 @@ class Plot:
                 series,
                 title=self._title,
                 scales={"x": {"time": False}, "y": {"distr": 3 if self._logarithmic else 1}},
-                axes=({"label": "time, s"}, {"size": 62}),
+                axes=({"label": "time, s", "size": 28, "labelSize": 20}, {"size": 62}),
+                padding=(12, 24, 0, 0),
                 legend={"show": True, "live": False},
                 height=220,
             )

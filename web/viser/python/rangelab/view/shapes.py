@@ -68,11 +68,15 @@ def ellipsoid(covariance: Floats, centre: Floats, scale: float) -> Mesh:
 
 
 def field_mesh(field: Field) -> tuple[Floats, np.ndarray, Floats]:
-    """The rectangle of a field: vertices, faces, and for each vertex the place on the picture (0 to 1, from below)."""
+    """The rectangle of a field: vertices, faces, and for each vertex the place on the picture (0 to 1, from below).
+
+    The picture ends at the centres of the outer cells: beyond its edge it would begin anew.
+    """
     corner, along, across = field.edges
     places = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
     vertices = corner + places[:, :1] * along + places[:, 1:] * across
-    return vertices, np.array([[0, 1, 2], [0, 2, 3]]), places
+    cells = np.array(field.values.shape[::-1], dtype=np.float64)
+    return vertices, np.array([[0, 1, 2], [0, 2, 3]]), (places * (cells - 1) + 0.5) / cells
 
 
 def quaternion(rotation: Floats) -> Floats:
