@@ -106,7 +106,7 @@ def test_a_cluster_that_loses_a_worker_half_way_gives_the_same_numbers(tmp_path:
         LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,  # type: ignore[no-untyped-call]
         Client(cluster) as client,  # type: ignore[no-untyped-call]
     ):
-        workers = {worker.pid for worker in cluster.workers.values()}
+        workers = set(client.run(os.getpid).values())
         assert len(workers) == 2
 
         def kill_half_way(done: int, total: int) -> None:

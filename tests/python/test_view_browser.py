@@ -30,10 +30,9 @@ def page(viewer: Viewer) -> Iterator[Page]:
         browser = playwright.chromium.launch(executable_path="/usr/bin/chromium", args=ARGUMENTS)
         page = browser.new_page(viewport={"width": WIDTH, "height": HEIGHT})
         page.goto(viewer.address)
-        # The last label is there when the scene is.
-        page.get_by_text("A6", exact=True).wait_for(timeout=120_000)
-        page.get_by_text("Position error, m").wait_for(timeout=60_000)
-        page.wait_for_timeout(2000)
+        page.get_by_text("Position error, m").wait_for(timeout=120_000)
+        # The scene fades in.
+        page.wait_for_timeout(6000)
         yield page
         browser.close()
 

@@ -2,7 +2,7 @@
 
 use pyo3::prelude::*;
 use rangelab::Error;
-use rangelab::localize::{Estimate, Optimum, Snapshot};
+use rangelab::localize::{Estimate, Snapshot};
 use rangelab::math::pose::Theta;
 use rangelab::model::epoch;
 use rangelab::model::localize_settings::{LocalizeSettings, LocalizerName};
@@ -76,16 +76,7 @@ fn found<const D: usize>(
     let entries = |Theta { orientation, position }: Theta<D>| {
         (orientation.transpose().as_slice().to_vec(), position.as_slice().to_vec())
     };
-    Ok((theta.map(entries), iterations, reflected, optimum_name(optimum)))
-}
-
-fn optimum_name(optimum: Optimum) -> &'static str {
-    match optimum {
-        Optimum::Formula => "formula",
-        Optimum::Certified => "certified",
-        Optimum::Searched => "searched",
-        Optimum::Local => "local",
-    }
+    Ok((theta.map(entries), iterations, reflected, optimum.name()))
 }
 
 fn localizer_name(name: &str) -> rangelab::Result<LocalizerName> {

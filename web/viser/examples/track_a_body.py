@@ -43,11 +43,11 @@ def averaged(trials: int) -> Study:
 def main() -> None:
     """Prints where the body is, and how near the bound the UC-KF comes."""
     positions = followed(ranges_of_your_own())
-    print(f"last position: {np.round(positions[-1], 3)} m")  # noqa: T201
+    print(f"last position: {np.round(positions[-1], 3)} m")
     study = averaged(200)
     error, bound = study.curve("uc-kf", "rmse_position"), study.curve("posterior_crb", "position")
     ratio = error.values[-1] / bound.values[-1]
-    print(f"UC-KF: {1e3 * error.values[-1]:.2f} mm, {ratio:.2f} times the bound")  # noqa: T201
+    print(f"UC-KF: {1e3 * error.values[-1]:.2f} mm, {ratio:.2f} times the bound")
 
 
 if __name__ == "__main__":

@@ -20,6 +20,7 @@ class Pending(Protocol):
 
     def result(self) -> Floats:
         """Its numbers, once there are any."""
+        ...
 
     def cancel(self) -> object:
         """Nobody waits for it any more."""
@@ -84,7 +85,7 @@ def _of_dask(client: Any) -> Engine:
 
 
 def _of_ray() -> Engine:
-    import ray
+    import ray  # pyright: ignore[reportMissingImports]
 
     remote = ray.remote(compute).options(max_retries=RETRIES)
     return Engine(lambda chunk: remote.remote(chunk).future(), _next_done, 256)
