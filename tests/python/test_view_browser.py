@@ -13,7 +13,7 @@ from rangelab import Scenario
 from rangelab.view import Viewer
 from rangelab.view.shapes import rotation
 
-WIDTH, HEIGHT = 1200, 800
+WIDTH, HEIGHT = 1000, 700
 ARGUMENTS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"]
 
 

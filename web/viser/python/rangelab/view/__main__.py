@@ -32,6 +32,7 @@ def main(arguments: list[str] | None = None) -> int:
     if options.save:
         viewer.save(options.save)
         viewer.stop()
+        print(f"rangelab: wrote {options.save}", flush=True)  # noqa: T201
         return 0
     print(f"rangelab: {viewer.address}  (Ctrl-C ends it)", flush=True)  # noqa: T201
     try:

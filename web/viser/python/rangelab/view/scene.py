@@ -55,8 +55,11 @@ class Scene:
             "/grid", width=2 * size, height=2 * size, cell_size=cell, section_size=5 * cell, position=ground
         )
         away = np.array([0.25, -1.0, 0.75]) if shown.run.dimension == 3 else np.array([0.0, -0.15, 1.0])
+        # The panel covers the right of the window: the scene goes to the left.
+        right = np.cross([0.0, 0.0, 1.0], away)
+        centre = centre + 0.18 * size * right / np.linalg.norm(right)
         self._server.initial_camera.look_at = tuple(centre)
-        self._server.initial_camera.position = tuple(centre + 0.95 * size * away / np.linalg.norm(away))
+        self._server.initial_camera.position = tuple(centre + 1.05 * size * away / np.linalg.norm(away))
         self._server.initial_camera.up = (0.0, 0.0, 1.0)
 
     def _handles(self, shown: Shown) -> None:
