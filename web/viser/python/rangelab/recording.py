@@ -77,18 +77,10 @@ class Recording:
         dimension = known_anchors.shape[-1]
         count = squared.shape[0] if squared.ndim else 0
 
-        def each(given: ArrayLike | None, width: int) -> list[Any]:
-            values = np.zeros(width) if given is None else np.asarray(given, dtype=np.float64)
-            try:
-                found: list[Any] = np.broadcast_to(values, (count, width)).tolist()
-            except ValueError:
-                raise _core.Error(f"{values.shape} is the shape where {(count, width)} is needed") from None
-            return found
-
         motion = zip(
             np.broadcast_to(np.asarray(interval, dtype=np.float64), count).tolist(),
-            each(velocity, dimension),
-            each(angular_velocity, dimension * (dimension - 1) // 2),
+            _per_epoch(velocity, count, dimension),
+            _per_epoch(angular_velocity, count, dimension * (dimension - 1) // 2),
             strict=True,
         )
         still = {"orientation": np.eye(dimension), "position": np.zeros(dimension), "covariance": 100.0}
@@ -202,3 +194,13 @@ class Recording:
     def _repr_html_(self) -> str:
         known = "known" if np.isfinite(self.truth_positions).all() else "not known"
         return card("Recording", self._summary(), {"time": f"{self.intervals.sum():g} s", "truth": known})
+
+
+def _per_epoch(given: ArrayLike | None, count: int, width: int) -> list[Any]:
+    """The same for all epochs or one row each; zeros where nothing is given."""
+    values = np.zeros(width) if given is None else np.asarray(given, dtype=np.float64)
+    try:
+        found: list[Any] = np.broadcast_to(values, (count, width)).tolist()
+    except ValueError:
+        raise _core.Error(f"{values.shape} is the shape where {(count, width)} is needed") from None
+    return found
