@@ -96,23 +96,23 @@ impl IndoorRun {
         padded(py, &[self.0.times.len(), 3, 3], rows)
     }
 
-    fn positions<'py>(&self, py: Python<'py>, filter: usize) -> PyResult<Bound<'py, PyAny>> {
-        let rows = self.steps(filter).map(|step| Some(step.pose.position.clone()));
+    fn positions<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Bound<'py, PyAny>> {
+        let rows = self.steps(index).map(|step| Some(step.pose.position.clone()));
         padded(py, &[self.0.times.len(), 3], rows)
     }
 
-    fn orientations<'py>(&self, py: Python<'py>, filter: usize) -> PyResult<Bound<'py, PyAny>> {
-        let rows = self.steps(filter).map(|step| Some(step.pose.orientation.concat()));
+    fn orientations<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Bound<'py, PyAny>> {
+        let rows = self.steps(index).map(|step| Some(step.pose.orientation.concat()));
         padded(py, &[self.0.times.len(), 3, 3], rows)
     }
 
-    fn numbers<'py>(&self, py: Python<'py>, filter: usize, name: &str) -> PyResult<Bound<'py, PyAny>> {
-        array(py, &[self.0.times.len()], self.steps(filter).map(|step| number_of(step, name)))
+    fn numbers<'py>(&self, py: Python<'py>, index: usize, name: &str) -> PyResult<Bound<'py, PyAny>> {
+        array(py, &[self.0.times.len()], self.steps(index).map(|step| number_of(step, name)))
     }
 }
 
 impl IndoorRun {
-    fn steps(&self, filter: usize) -> impl Iterator<Item = &indoor::run::IndoorStepRecord> {
-        self.0.filters.get(filter).into_iter().flat_map(|run| &run.steps)
+    fn steps(&self, index: usize) -> impl Iterator<Item = &indoor::run::IndoorStepRecord> {
+        self.0.filters.get(index).into_iter().flat_map(|run| &run.steps)
     }
 }

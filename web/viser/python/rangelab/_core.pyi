@@ -1,10 +1,43 @@
 """The compiled part; the package's Python part says what is what."""
 
-from typing import Any
+from typing import Any, final
 
-from .arrays import Flags, Floats, Part
+from .arrays import Flags, Floats, Part, TrackArrays
 
-TrackArrays = tuple[Floats, Floats, Floats, Floats, Floats, Flags, tuple[int, str] | None]
+__all__ = [
+    "Cancelled",
+    "Error",
+    "FigurePlan",
+    "IndoorRun",
+    "IndoorScenario",
+    "InternalError",
+    "InvalidDocument",
+    "NoConvergence",
+    "Plan",
+    "Recording",
+    "Run",
+    "Scenario",
+    "Sum",
+    "Tracker",
+    "UnknownName",
+    "Unobservable",
+    "_panic_on_purpose",
+    "advise",
+    "best_next",
+    "bound_at",
+    "explore",
+    "field",
+    "figures",
+    "improve",
+    "indoor_presets",
+    "localization_cloud",
+    "localize",
+    "localize_recording",
+    "next_at",
+    "presets",
+    "size_curve",
+    "topologies",
+]
 
 class Error(ValueError):
     problems: list[tuple[str, str, str]]
@@ -22,6 +55,7 @@ def topologies(dimension: int) -> str: ...
 def indoor_presets() -> str: ...
 def figures() -> str: ...
 
+@final
 class Scenario:
     def __new__(cls, text: str) -> Scenario: ...
     @staticmethod
@@ -30,6 +64,7 @@ class Scenario:
     def simulate(self, trial: int) -> Recording: ...
     def run(self, trial: int) -> Run: ...
 
+@final
 class Recording:
     def __new__(cls, text: str) -> Recording: ...
     @staticmethod
@@ -50,6 +85,7 @@ class Recording:
     def truth_orientations(self) -> Floats: ...
     def truth_positions(self) -> Floats: ...
 
+@final
 class Run:
     @staticmethod
     def from_json(text: str) -> Run: ...
@@ -79,6 +115,7 @@ class Run:
     def bound_position_covariances(self, bound: int) -> Floats: ...
     def bound_rotation_covariances(self, bound: int) -> Floats: ...
 
+@final
 class Tracker:
     def __new__(cls, name: str, settings: str, recording: Recording) -> Tracker: ...
     def step(self, interval: float, velocity: Any, angular_velocity: Any, squared_ranges: Any) -> TrackArrays: ...
@@ -97,6 +134,7 @@ def improve(scenario: Scenario, restart: int) -> tuple[str, Scenario]: ...
 def next_at(scenario: Scenario, point: Any) -> str: ...
 def best_next(scenario: Scenario) -> str: ...
 
+@final
 class IndoorScenario:
     def __new__(cls, text: str) -> IndoorScenario: ...
     @staticmethod
@@ -104,6 +142,7 @@ class IndoorScenario:
     def to_json(self) -> str: ...
     def run(self, trial: int) -> IndoorRun: ...
 
+@final
 class IndoorRun:
     def to_json(self) -> str: ...
     @property
@@ -117,6 +156,7 @@ class IndoorRun:
     def orientations(self, index: int) -> Floats: ...
     def numbers(self, index: int, name: str) -> Floats: ...
 
+@final
 class Plan:
     @staticmethod
     def track(scenario: Scenario, trials: int) -> Plan: ...
@@ -133,12 +173,14 @@ class Plan:
     def job(self, index: int) -> Floats: ...
     def start(self) -> Sum: ...
 
+@final
 class Sum:
     @property
     def trials(self) -> int: ...
     def push(self, numbers: Any) -> None: ...
     def report(self) -> str: ...
 
+@final
 class FigurePlan:
     def __new__(cls, name: str, trials: int, seed: int) -> FigurePlan: ...
     @property

@@ -9,3 +9,5 @@ Flags = NDArray[np.bool_]
 """Truth values."""
 Part = tuple[str, str, int | None, str | None]
 """Name, label, the step at which it stopped, why."""
+TrackArrays = tuple[Floats, Floats, Floats, Floats, Floats, Flags, tuple[int, str] | None]
+"""The parts of a `Track`, in their order."""

@@ -8,10 +8,8 @@ import viser
 from .._core import Error
 from ..link import from_link, to_link
 from ..scenario import Scenario, presets
-from .handles import put
+from .handles import by_hand, put
 from .state import Studio
-
-Event = viser.GuiEvent[Any]
 
 TRACKERS = {"kf": "KF", "ortho": "KF-ortho", "uc-kf": "UC-KF", "et-kf": "ET-KF", "eskf": "ESKF", "eskf-raw": "ESKF-raw"}
 
@@ -38,20 +36,15 @@ class Controls:
     ) -> None:
         self._server, self._studio, self._opened, self._page = server, studio, opened, page
         self._follow: list[Callable[[dict[str, Any]], None]] = []
-        self._following = False
         self._folders: dict[str, viser.GuiFolderHandle] = {}
         if studio.scenario is not None:
             self._scenario_controls()
 
     def follow(self, scenario: Scenario) -> None:
         """Shows the values of a scenario, which are no edits."""
-        self._following = True
-        try:
-            document = scenario.to_dict()
-            for write in self._follow:
-                write(document)
-        finally:
-            self._following = False
+        document = scenario.to_dict()
+        for write in self._follow:
+            write(document)
 
     def _folder(self, name: str) -> viser.GuiFolderHandle:
         if name not in self._folders:
@@ -68,18 +61,14 @@ class Controls:
         self._link()
 
     def _edit(self, path: str, value: Any) -> None:
-        if not self._following:
-            self._studio.edit(lambda scenario: scenario.replace({path: value}))
+        self._studio.edit(lambda scenario: scenario.replace({path: value}))
 
     def _preset(self) -> None:
         names = ("…", *(each["name"] for each in presets()))
         chosen = self._server.gui.add_dropdown("preset", names)
         self._follow.append(lambda document: put(chosen, document["name"] if document["name"] in names else "…"))
 
-        @chosen.on_update
-        def _(_: Event) -> None:
-            if chosen.value != "…" and not self._following:
-                self._opened(Scenario.preset(chosen.value))
+        by_hand(chosen, lambda name: self._opened(Scenario.preset(name)) if name != "…" else None)
 
     def _estimators(self) -> None:
         boxes = {}
@@ -91,11 +80,11 @@ class Controls:
             for name, box in boxes.items():
                 put(box, name in document["estimators"]["enabled"])
 
-        def chosen(_: Event) -> None:
+        def chosen(_: bool) -> None:
             self._edit("estimators.enabled", [name for name, box in boxes.items() if box.value])
 
         for box in boxes.values():
-            box.on_update(chosen)
+            by_hand(box, chosen)
         self._follow.append(write)
 
     def _noise(self) -> None:
@@ -111,12 +100,12 @@ class Controls:
             number.label = label
             put(number, float(document["noise"][field]))
 
-        @number.on_update
-        def _(_: Event) -> None:
+        def typed(value: float) -> None:
             scenario = self._studio.scenario
             if scenario is not None:
-                self._edit(f"noise.{key(scenario.to_dict())[0]}", float(number.value))
+                self._edit(f"noise.{key(scenario.to_dict())[0]}", float(value))
 
+        by_hand(number, typed)
         self._follow.append(write)
 
     def _number(self, folder: str, path: str, label: str, least: float, step: float) -> None:
@@ -130,10 +119,7 @@ class Controls:
                 at = at[part]
             put(number, at)
 
-        @number.on_update
-        def _(_: Event) -> None:
-            self._edit(path, int(number.value) if whole else float(number.value))
-
+        by_hand(number, lambda value: self._edit(path, int(value) if whole else float(value)))
         self._follow.append(write)
 
     def _field(self) -> None:
@@ -145,15 +131,8 @@ class Controls:
             put(quantity, document["field"]["quantity"])
             put(shown, self._studio.wish.field)
 
-        @shown.on_update
-        def _(_: Event) -> None:
-            if not self._following:
-                self._studio.ask(field=shown.value)
-
-        @quantity.on_update
-        def _(_: Event) -> None:
-            self._edit("field.quantity", quantity.value)
-
+        by_hand(shown, lambda value: self._studio.ask(field=value))
+        by_hand(quantity, lambda value: self._edit("field.quantity", value))
         self._follow.append(write)
 
     def _link(self) -> None:
@@ -165,13 +144,11 @@ class Controls:
             put(link, to_link(Scenario(document), self._page))
             problem.visible = False
 
-        @link.on_update
-        def _(_: Event) -> None:
-            if self._following:
-                return
+        def pasted(text: str) -> None:
             try:
-                self._opened(from_link(link.value.strip()))
+                self._opened(from_link(text.strip()))
             except Error as error:
                 problem.content, problem.visible = f"**{error}**", True
 
+        by_hand(link, pasted)
         self._follow.append(write)
