@@ -21,7 +21,7 @@ from viewer_client import ViewerClient
 ROOM = Scenario.preset("room")
 
 
-def until(true: Callable[[], object], seconds: float = 20.0) -> None:
+def until(true: Callable[[], object], seconds: float = 90.0) -> None:
     """Waits for something that happens in another thread."""
     end = time.monotonic() + seconds
     while not true():

@@ -18,11 +18,26 @@ NUMBERS = (
     ("Motion", "interval", "interval, s", 1e-3, 0.01),
     ("Motion", "motion.sigma_omega", "turning disturbed by, rad/s", 0.0, 0.001),
     ("Motion", "motion.sigma_t", "moving disturbed by, m", 0.0, 0.001),
+    ("Motion", "process.sigma_q", "turning noise assumed, rad", 0.0, 0.001),
+    ("Motion", "process.sigma_t", "moving noise assumed, m", 0.0, 0.001),
+    ("Start", "initial.covariance", "variance of each entry of [Q | t]", 1e-9, 1.0),
     ("Estimators", "estimators.threshold.epsilon", "ET-KF threshold", 0.0, 0.01),
     ("Ranges", "missing_probability", "missing ranges, probability", 0.0, 0.01),
     ("Ranges", "mounting_sigma", "mounting error, m", 0.0, 0.001),
     ("Run", "steps", "epochs", 1, 1),
     ("Run", "seed", "seed", 0, 1),
+)
+# What is chosen: where it is in the scenario, what people read, and what there is.
+CHOICES = (
+    ("Ranges", "weights", "weights from", ("measured", "true")),
+    ("Ranges", "weighting", "weights of sensors", ("common", "per_pair")),
+    ("Estimators", "estimators.threshold.kind", "threshold counts", ("absolute", "relative")),
+    ("Estimators", "estimators.manifold", "project onto", ("so", "o")),
+    ("Estimators", "estimators.metric", "nearest in", ("frobenius", "information")),
+)
+SWITCHES = (
+    ("Estimators", "estimators.feedback", "go on from the projected Q"),
+    ("Estimators", "estimators.decoupled", "UC-KF solves for Q, then for t"),
 )
 NOISE = {"range": ("sigma", "sigma of a range, m"), "squared_range": ("sigma", "sigma of a squared range, m²")}
 NOISE_DB = ("zeta_db", "zeta, dB")
@@ -57,6 +72,12 @@ class Controls:
         self._noise()
         for folder, path, label, least, step in NUMBERS:
             self._number(folder, path, label, least, step)
+        for folder, path, label, options in CHOICES:
+            with self._folder(folder):
+                self._bound(path, self._server.gui.add_dropdown(label, options))
+        for folder, path, label in SWITCHES:
+            with self._folder(folder):
+                self._bound(path, self._server.gui.add_checkbox(label, False))
         self._field()
         self._link()
 
@@ -114,13 +135,15 @@ class Controls:
             number = self._server.gui.add_number(label, least, min=least, step=step if whole else 1e-6)
 
         def write(document: dict[str, Any]) -> None:
-            at: Any = document
-            for part in path.split("."):
-                at = at[part]
-            put(number, at)
+            put(number, _at(document, path))
 
         by_hand(number, lambda value: self._edit(path, int(value) if whole else float(value)))
         self._follow.append(write)
+
+    def _bound(self, path: str, handle: Any) -> None:
+        """A control that shows one value of the scenario as it is."""
+        self._follow.append(lambda document: put(handle, _at(document, path)))
+        by_hand(handle, lambda value: self._edit(path, value))
 
     def _field(self) -> None:
         with self._folder("Bound over a plane"):
@@ -152,3 +175,11 @@ class Controls:
 
         by_hand(link, pasted)
         self._follow.append(write)
+
+
+def _at(document: dict[str, Any], path: str) -> Any:
+    """The value of a scenario at a path of names."""
+    at: Any = document
+    for name in path.split("."):
+        at = at[name]
+    return at
