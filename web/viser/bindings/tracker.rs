@@ -4,6 +4,8 @@ use std::sync::{Mutex, PoisonError};
 
 use nalgebra::SVector;
 use pyo3::prelude::*;
+use rangelab::math::rotation::rotation_angles;
+use rangelab::model::document::entries::angle_rows;
 use rangelab::model::epoch::{self, Epoch};
 use rangelab::model::estimator_settings::{EstimatorName, EstimatorSettings};
 use rangelab::model::motion::Motion;
@@ -39,13 +41,9 @@ impl Track {
         self.orientations.extend(step.posterior.orientation.transpose().iter());
         self.positions.extend(step.posterior.position.iter());
         self.position_covariances.extend(step.uncertainty.position_block().transpose().iter());
-        let angles = rangelab::math::rotation::rotation_angles(D);
-        match step.rotation_covariance() {
-            Ok(matrix) => {
-                self.rotation_covariances.extend(matrix.view((0, 0), (angles, angles)).transpose().iter())
-            }
-            Err(_) => self.rotation_covariances.extend(std::iter::repeat_n(f64::NAN, angles * angles)),
-        }
+        let rows = step.rotation_covariance().map(|matrix| angle_rows::<D>(&matrix).concat());
+        let unknown = || vec![f64::NAN; rotation_angles(D) * rotation_angles(D)];
+        self.rotation_covariances.extend(rows.unwrap_or_else(|_| unknown()));
         self.nis.push(step.nis.value);
         self.events.push(step.event);
     }
@@ -59,7 +57,7 @@ impl<'py> IntoPyObject<'py> for Track {
 
     fn into_pyobject(self, py: Python<'py>) -> PyResult<Self::Output> {
         let (k, d) = (self.epochs, self.dimension);
-        let a = rangelab::math::rotation::rotation_angles(d);
+        let a = rotation_angles(d);
         let arrays = (
             array(py, &[k, d, d], self.orientations)?,
             array(py, &[k, d], self.positions)?,
@@ -137,7 +135,7 @@ impl Tracker {
         angular_velocity: Numbers,
         squared_ranges: Numbers,
     ) -> PyResult<Track> {
-        let axes = rangelab::math::rotation::rotation_angles(self.dimension);
+        let axes = rotation_angles(self.dimension);
         let velocity = velocity.shaped("velocity", &[self.dimension])?;
         let turning = angular_velocity.shaped("angular_velocity", &[axes])?;
         let squared = squared_ranges.shaped("squared_ranges", &[self.anchors, self.sensors])?;
