@@ -5,6 +5,7 @@ import signal
 import threading
 import time
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pyarrow.parquet as parquet
@@ -106,7 +107,8 @@ def test_a_cluster_that_loses_a_worker_half_way_gives_the_same_numbers(tmp_path:
         LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,  # type: ignore[no-untyped-call]
         Client(cluster) as client,  # type: ignore[no-untyped-call]
     ):
-        workers = set(client.run(os.getpid).values())
+        pids: Any = client.run(os.getpid)
+        workers = set(pids.values())
         assert len(workers) == 2
 
         def kill_half_way(done: int, total: int) -> None:

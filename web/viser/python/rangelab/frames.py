@@ -1,5 +1,6 @@
 """Tables: rows of plain numbers, and frames of pandas and polars where those are installed."""
 
+import csv
 import io
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
@@ -48,18 +49,33 @@ def _rows_of_part(part: Row, points: list[Row]) -> Iterator[Row]:
         yield {**named, **point, **flat(found)}
 
 
+def columns_of_csv(text: str) -> dict[str, list[Any]]:
+    """The columns of comma-separated values: whole numbers, numbers (the same bits) or texts; None where empty."""
+    header, *rows = csv.reader(io.StringIO(text))
+    return {name: _column([row[i] for row in rows]) for i, name in enumerate(header)}
+
+
+def _column(cells: list[str]) -> list[Any]:
+    for kind in (int, float):
+        try:
+            return [kind(cell) if cell else None for cell in cells]
+        except ValueError:
+            continue
+    return list(cells)
+
+
 def csv_to_pandas(text: str) -> "pandas.DataFrame":
-    """A frame from comma-separated values, in which every number comes back as the same bits."""
+    """A frame from comma-separated values."""
     import pandas
 
-    return pandas.read_csv(io.StringIO(text), float_precision="round_trip")
+    return pandas.DataFrame(columns_of_csv(text))
 
 
 def csv_to_polars(text: str) -> "polars.DataFrame":
     """The same for polars."""
     import polars
 
-    return polars.read_csv(io.StringIO(text), infer_schema_length=None)
+    return polars.DataFrame(columns_of_csv(text), strict=False)
 
 
 def rows_to_pandas(rows: list[Row]) -> "pandas.DataFrame":
