@@ -5,6 +5,7 @@ mod estimate;
 mod failure;
 mod field;
 mod figure;
+mod indoor;
 mod input;
 mod localize;
 mod output;
@@ -30,6 +31,7 @@ Examples:
   rangelab presets                               what is there to try
   rangelab study tracking-paper --trials 1000    errors, bounds and their ratios over many trials
   rangelab figure tracking-2 -o figure.svg       a figure of a paper, with what holds of it
+  rangelab indoor study indoor-u                 filters of an IMU and ranges
   rangelab place room -o better.json             where the anchors should stand
   rangelab run room --format csv -o run.csv      one trial, every step of every estimator
   rangelab field room --format png -o field.png  the bound as a landscape
@@ -54,6 +56,7 @@ pub enum Command {
     Simulate(simulate::SimulateCommand),
     Estimate(estimate::EstimateCommand),
     Localize(localize::LocalizeCommand),
+    Indoor(indoor::IndoorCommand),
     Study(study::StudyCommand),
     Figure(figure::FigureCommand),
     Field(field::FieldCommand),
@@ -70,6 +73,7 @@ impl Command {
             Self::Simulate(command) => command.execute(),
             Self::Estimate(command) => command.execute(),
             Self::Localize(command) => command.execute(),
+            Self::Indoor(command) => command.execute(),
             Self::Study(command) => command.execute(),
             Self::Figure(command) => command.execute(),
             Self::Field(command) => command.execute(),

@@ -3,6 +3,7 @@
 mod command;
 mod field;
 mod figure;
+mod indoor;
 mod localize;
 mod place;
 mod refusals;

@@ -8,7 +8,9 @@ pub mod claim;
 mod csv;
 pub mod experiment;
 mod extreme;
+mod indoor;
 mod jackknife;
+mod kinds;
 mod localization;
 pub mod plan;
 pub mod report;
@@ -31,7 +33,7 @@ use crate::error::{Error, Result};
 pub struct Figure {
     /// Its name on the command line.
     pub name: &'static str,
-    /// The paper: T for tracking, L for localization.
+    /// The paper.
     pub paper: Paper,
     /// Its number there.
     pub number: usize,
@@ -39,7 +41,7 @@ pub struct Figure {
     pub title: &'static str,
     /// What the paper says about it, in a sentence.
     pub statement: &'static str,
-    /// Trials of the paper.
+    /// Trials where no number is asked for: those of the paper, or as many as take half a minute.
     pub trials: usize,
     /// What is simulated, each with a name.
     #[serde(skip)]
@@ -64,10 +66,12 @@ pub enum Paper {
     Tracking,
     /// \[L\], *Rigid Body Localization Using Sensor Networks*.
     Localization,
+    /// \[I\], *Indoor Position and Attitude Tracking with SO(3) Manifold*.
+    Indoor,
 }
 
 /// All figures, in the order in which they are listed.
-pub static FIGURES: [Figure; 10] = [
+pub static FIGURES: [Figure; 16] = [
     tracking::FIGURE_2,
     tracking::FIGURE_3,
     localization::FIGURE_2,
@@ -78,6 +82,12 @@ pub static FIGURES: [Figure; 10] = [
     localization::FIGURE_7,
     localization::FIGURE_8,
     localization::FIGURE_9,
+    indoor::FIGURE_4,
+    indoor::FIGURE_5,
+    indoor::FIGURE_6,
+    indoor::FIGURE_7,
+    indoor::FIGURE_8,
+    indoor::FIGURE_9,
 ];
 
 /// The seed that a figure has where none is asked for.
@@ -89,6 +99,7 @@ impl Figure {
         let paper = match self.paper {
             Paper::Tracking => "Tracking Position and Orientation of a Mobile Rigid Body",
             Paper::Localization => "Rigid Body Localization Using Sensor Networks",
+            Paper::Indoor => "Indoor Position and Attitude Tracking with SO(3) Manifold",
         };
         format!("{paper}, Fig. {}", self.number)
     }

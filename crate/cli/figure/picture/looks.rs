@@ -14,7 +14,7 @@ pub const WARNING: Colour = [0x8a, 0x32, 0x00];
 const BOUND: Colour = [0x4b, 0x53, 0x60];
 
 /// Name, colour and mark of an estimator.
-const ESTIMATORS: [(&str, Colour, Mark); 16] = [
+const ESTIMATORS: [(&str, Colour, Mark); 21] = [
     ("kf", [0xaa, 0x40, 0x00], Mark::Ring),
     ("ortho", [0xbd, 0x86, 0x00], Mark::Square),
     ("uc-kf", [0x02, 0x51, 0x92], Mark::Triangle),
@@ -31,7 +31,14 @@ const ESTIMATORS: [(&str, Colour, Mark); 16] = [
     ("ouc-tls", [0x44, 0x8d, 0x65], Mark::Disc),
     ("gauss-newton", [0x57, 0x57, 0x57], Mark::Square),
     ("maximum-likelihood", [0x57, 0x57, 0x57], Mark::Disc),
+    ("ekf", [0xaa, 0x40, 0x00], Mark::Ring),
+    ("ekf-rie", [0x02, 0x51, 0x92], Mark::Triangle),
+    ("ukf", [0xb4, 0x67, 0xa4], Mark::Diamond),
+    ("ukf-rie", [0xb4, 0x67, 0xa4], Mark::Triangle),
+    ("mekf", [0x44, 0x8d, 0x65], Mark::Disc),
 ];
+/// Estimators that are drawn over others whose numbers they often have.
+const DASHED: [&str; 2] = ["ekf-rie", "ukf-rie"];
 /// What else is dashed, and bounds without a dash of their own.
 const DASH: &[f32] = &[7.0, 4.0];
 const DOTS: &[f32] = &[2.0, 4.0];
@@ -70,7 +77,10 @@ impl Look {
         let estimator = ESTIMATORS.iter().find(|(name, ..)| *name == curve.name);
         let colour = estimator.map_or(BOUND, |(_, colour, _)| *colour);
         match curve.kind {
-            CurveKind::Estimator => Self { colour, mark: estimator.map(|(.., mark)| *mark), dash: &[] },
+            CurveKind::Estimator => {
+                let dash: &[f32] = if DASHED.contains(&curve.name.as_str()) { DASH } else { &[] };
+                Self { colour, mark: estimator.map(|(.., mark)| *mark), dash }
+            }
             CurveKind::Covariance => Self { colour, mark: None, dash: DOTS },
             CurveKind::Bound => {
                 let dash =

@@ -8,17 +8,28 @@ import { MARKS } from "../theme/palette";
 const DASH = [7, 4];
 const DOTS = [2, 4];
 
+/** Those of the filters of indoor tracking; a dashed one is drawn over another whose numbers it often has. */
+const FILTERS: Record<string, Look> = {
+  ekf: { token: "kf", mark: "ring", dash: [] },
+  "ekf-rie": { token: "uc-kf", mark: "triangle", dash: DASH },
+  ukf: { token: "et-kf", mark: "diamond", dash: [] },
+  "ukf-rie": { token: "et-kf", mark: "triangle", dash: DASH },
+  mekf: { token: "eskf", mark: "disc", dash: [] },
+};
+
 type Look = Pick<PlotLine, "token" | "mark" | "dash">;
 
 export function lookOf({ name, kind }: Pick<Curve, "name" | "kind">): Look {
   if (kind === "bound")
     return { token: "bound", mark: null, dash: { ...TRACK_BOUNDS, ...SNAPSHOT_BOUNDS }[name]?.dash ?? DASH };
-  const { token, mark } = estimatorLook(name);
-  return kind === "covariance" ? { token, mark: null, dash: DOTS } : { token, mark, dash: [] };
+  const { token, mark, dash } = estimatorLook(name);
+  return kind === "covariance" ? { token, mark: null, dash: DOTS } : { token, mark, dash };
 }
 
 /** Snapshot estimators share the colours of the trackers: no figure shows both. */
-function estimatorLook(name: string): Pick<Look, "token" | "mark"> {
-  if (MARKS[name]) return { token: name, mark: MARKS[name] };
-  return LOCALIZERS.find((localizer) => localizer.name === name) ?? { token: "ink-soft", mark: "disc" };
+function estimatorLook(name: string): Look {
+  if (FILTERS[name]) return FILTERS[name];
+  if (MARKS[name]) return { token: name, mark: MARKS[name], dash: [] };
+  const localizer = LOCALIZERS.find((each) => each.name === name);
+  return { token: localizer?.token ?? "ink-soft", mark: localizer?.mark ?? "disc", dash: [] };
 }
