@@ -3,11 +3,14 @@
 pub mod block;
 pub mod chi_squared;
 pub mod cholesky;
+pub mod definite;
 pub mod exponential_integral;
 pub mod float;
+pub mod legendre;
 pub mod linalg;
 pub mod newton;
 pub mod number;
+pub mod orthogonal;
 mod polar;
 pub mod pose;
 pub mod projection;

@@ -1,0 +1,68 @@
+//! The Cramér-Rao bounds that a study is held against, at the true motion.
+
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+
+use serde::{Deserialize, Serialize};
+
+use super::errors::{GRAM_COEFFICIENTS, Yardstick};
+use crate::bounds::kinematics::{Alignment, KinematicsBound, KinematicsDesign};
+use crate::error::Result;
+use crate::model::kinematics::{KinematicsScenario, KinematicsSetup};
+
+/// A bound on the figures of a summary, in the same units.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(export))]
+pub struct KinematicsBoundReport {
+    /// Its name for people.
+    pub label: String,
+    /// Whether accelerations are read.
+    pub accelerations: bool,
+    /// Why there is none, in a sentence; the lists are empty then.
+    pub failure: Option<String>,
+    /// On a coordinate of `Y_0, Y_1, ...`, m/s^l.
+    pub coefficients: Vec<f64>,
+    /// On an entry of `vech(B_0), vech(B_1), vech(B_2)`, m^2/s^l.
+    pub gram: Vec<f64>,
+    /// On a coordinate at each instant after one alignment, from `Y_0`, m.
+    pub positions: Vec<f64>,
+    /// The same with an alignment at each instant, m.
+    pub aligned_positions: Vec<f64>,
+}
+
+/// From distances alone, and with accelerations.
+pub fn kinematics_bounds(
+    scenario: &KinematicsScenario,
+    setup: &KinematicsSetup,
+    yardstick: &Yardstick,
+) -> [KinematicsBoundReport; 2] {
+    let (stamps, noise) = (&setup.stamps, &scenario.noise);
+    [
+        ("CRB, distances", KinematicsDesign::distances(stamps, noise)),
+        ("CRB, distances and accelerations", KinematicsDesign::with_accelerometers(stamps, noise)),
+    ]
+    .map(|(label, design)| {
+        let (found, failure) = match bound(&design, yardstick) {
+            Ok(found) => (found, None),
+            Err(error) => (KinematicsBoundReport::default(), Some(error.to_string())),
+        };
+        let accelerations = design.sigma_acceleration.is_some();
+        KinematicsBoundReport { label: label.to_string(), accelerations, failure, ..found }
+    })
+}
+
+fn bound(design: &KinematicsDesign, yardstick: &Yardstick) -> Result<KinematicsBoundReport> {
+    let motion = yardstick.motion();
+    let bound = KinematicsBound::new(motion, design)?;
+    let positions = |alignment| -> Result<Vec<f64>> {
+        yardstick.instants.iter().map(|&time| bound.position_rmse(time, alignment)).collect()
+    };
+    let gram = GRAM_COEFFICIENTS.min(2 * motion.degree() + 1);
+    Ok(KinematicsBoundReport {
+        coefficients: (0..=motion.degree()).map(|l| bound.coefficient_rmse(l)).collect::<Result<_>>()?,
+        gram: (0..gram).map(|l| bound.gram_rmse(l)).collect::<Result<_>>()?,
+        positions: positions(Alignment::AtZero)?,
+        aligned_positions: positions(Alignment::AtEach)?,
+        ..KinematicsBoundReport::default()
+    })
+}
