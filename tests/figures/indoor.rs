@@ -1,6 +1,10 @@
 //! The figures of indoor tracking. At the few trials of these tests some claims stay open that are decided at full size.
 
-use super::claims_come_out_over;
+use rangelab::study::figures::SEED;
+use rangelab::study::figures::claim::Verdict;
+use rangelab::study::figures::experiment::Study;
+
+use super::{claims_come_out_over, computed, plan};
 
 pub const FAIL: [&str; 18] = [
     "position: how far the RMSE of EKF falls from 0 to 20 dB",
@@ -34,7 +38,23 @@ pub const OPEN: [&str; 7] = [
 
 #[test]
 fn figure_4() {
-    claims_come_out_over(80, &[("indoor-4", 9, &[("ekf", "ukf-rie", 0)])]);
+    claims_come_out_over(80, &[("indoor-4", 9, &[])]);
+}
+
+/// At rest all filters are the same, so that exchanging two breaks nothing: one is made worse instead.
+#[test]
+fn a_filter_that_parts_from_the_others_at_rest_is_told() {
+    let plan = plan("indoor-4", 8, SEED);
+    let mut studies = plan.studies(&computed(&plan)).unwrap();
+    let aligned = |studies: &[Study]| plan.report_of(studies).claims[0].verdict;
+    assert_ne!(aligned(&studies), Verdict::DoesNotHold);
+    for study in &mut studies {
+        let Study::Indoor(report) = study else { panic!("a sweep of filters") };
+        for point in &mut report.filters[1 % report.filters.len()].points {
+            point.position.value *= 4.0;
+        }
+    }
+    assert_eq!(aligned(&studies), Verdict::DoesNotHold);
 }
 
 #[test]

@@ -2,3 +2,4 @@
 
 mod anchor_draws;
 mod budget;
+mod indoor_sweep;

@@ -199,6 +199,6 @@ fn mean(values: &[f64]) -> Estimate {
 
 fn sorted(values: &[f64]) -> Vec<f64> {
     let mut values = values.to_vec();
-    values.sort_by(f64::total_cmp);
+    values.sort_unstable_by(f64::total_cmp);
     values
 }

@@ -82,7 +82,7 @@ pub(super) const FIGURE_9: Figure = Figure {
     title: "Distribution of the RMSE of the position on the bridge",
     statement: "at sigma^2 = 1e-3 m^2 nine tenths of the trials are below 0.22 m for EKFRie and 0.27 m for UKFRie, 0.52 m for \
                 EKF and 0.59 m for UKF (3000 trials).",
-    trials: 3000,
+    trials: 1000,
     experiments: experiments::figure_9,
     panels: panels::figure_9,
     claims: distribution::figure_9,
