@@ -168,6 +168,7 @@ impl InputNoise {
     }
 
     /// So many times as much.
+    #[must_use]
     pub fn scaled(&self, factor: f64) -> Self {
         Self { turning: self.turning * factor, moving: self.moving * factor }
     }

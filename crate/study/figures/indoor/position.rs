@@ -4,12 +4,12 @@
 //! for. "Consistently better" is at most 1 at the noise where it is worst. Numbers printed stand beside.
 
 use alloc::format;
+use alloc::string::String;
 use alloc::vec::Vec;
 
-use super::experiments::PAPER;
 use super::experiments::{
-    BRIDGE, BRIDGE_MATCHED, PRINTED_DB, STAIR, STAIR_MATCHED, STAIR_SINGLE, U, U_CONGRUENCE, U_ISOSCELES,
-    U_MATCHED, U_MATCHED_SINGLE, U_PRINTED, U_PRINTED_UNSURE, U_SINGLE, ZIGZAG,
+    BRIDGE, BRIDGE_MATCHED, PAPER, PRINTED_DB, STAIR, STAIR_MATCHED, STAIR_SINGLE, U, U_CONGRUENCE,
+    U_ISOSCELES, U_MATCHED, U_MATCHED_SINGLE, U_PRINTED, U_PRINTED_UNSURE, U_SINGLE, ZIGZAG,
 };
 use super::reading::{POSITION, Reading, at_worst};
 use crate::model::indoor::filter_settings::FilterName::{
@@ -36,7 +36,7 @@ pub(super) fn figure_5(studies: &[Study]) -> Vec<Claim> {
     claims
 }
 
-fn ratio(a: FilterName, b: FilterName) -> alloc::string::String {
+fn ratio(a: FilterName, b: FilterName) -> String {
     format!("RMSE of {} over that of {}", a.label(), b.label())
 }
 

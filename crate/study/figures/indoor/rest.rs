@@ -27,7 +27,7 @@ pub(super) fn figure_4(studies: &[Study]) -> Vec<Claim> {
         let name = alloc::format!("{what}: the same, with Iso too");
         claims.push(paper(at_worst(&name, point), found, Interval::most(1.03)));
     }
-    let fall = |from, to| minus(rest.at(Ekf, from, POSITION)?, rest.at(Ekf, to, POSITION)?);
+    let fall = |from, to| Some(minus(rest.at(Ekf, from, POSITION)?, rest.at(Ekf, to, POSITION)?));
     let found = fall(0.0, 20.0).zip(fall(20.0, 40.0)).and_then(|(first, second)| first.over(second));
     claims.push(paper(
         "position: how far the RMSE of EKF falls from 0 to 20 dB over how far from 20 to 40 dB",
@@ -57,8 +57,8 @@ fn spread(sweeps: &[Reading<'_>], point: f64, read: Read) -> Option<Estimate> {
     figures.iter().max_by(by_value)?.over(*figures.iter().min_by(by_value)?)
 }
 
-fn minus(a: Estimate, b: Estimate) -> Option<Estimate> {
+fn minus(a: Estimate, b: Estimate) -> Estimate {
     let variance = |of: Estimate| of.standard_error * of.standard_error;
     let standard_error = sqrt(variance(a) + variance(b));
-    Some(Estimate { value: a.value - b.value, standard_error })
+    Estimate { value: a.value - b.value, standard_error }
 }
