@@ -65,7 +65,7 @@ fn optimal(studies: &[Study]) -> Vec<Claim> {
 fn of_other_intervals(studies: &[Study]) -> Vec<Claim> {
     let mut claims = Vec::new();
     let places = [
-        (PAPER, "-5 to 5 s", 4, HUNDRED, [Some(Interval::between(0.95, 1.0)); 3]),
+        (PAPER, "-5 to 5 s", 4, HUNDRED, [Some(Interval::between(0.95, 1.05)); 3]),
         (PAPER, "-5 to 5 s", 4, THOUSAND, [None, Some(Interval::most(0.9)), Some(Interval::most(0.95))]),
         (LONG, "-10 to 10 s", 4, HUNDRED, [Some(Interval::most(0.6)); 3]),
         (SHORT, "-3 to 3 s", 3, HUNDRED, [Some(Interval::least(1.1)), None, Some(Interval::least(1.5))]),

@@ -110,8 +110,13 @@ fn over_time(sweep: Reading<'_>, quantity: fn(usize) -> Quantity) -> Places<'_> 
 }
 
 fn estimators(names: &[KinematicsName], places: &Places<'_>) -> Vec<Curve> {
-    let curve = |&name| estimator(name, KinematicsName::to_string(&name), name.label().to_string(), places);
+    let curve = |&name| estimator(name, called(name).to_string(), name.label().to_string(), places);
     names.iter().filter_map(curve).collect()
+}
+
+/// By its own name, where no other figure has an estimator of that name.
+fn called(name: KinematicsName) -> &'static str {
+    if name == MaximumLikelihood { "maximum-likelihood-distances" } else { name.name() }
 }
 
 /// Nothing where there is no point.

@@ -19,18 +19,19 @@ const FILTERS: Record<string, Look> = {
 
 /** Those of relative kinematics; dashed ones share a colour or, often, the numbers of another. */
 const KINEMATICS: Record<string, Look> = {
+  "algorithm-1-rank1": { token: "kf", mark: "square", dash: [] },
   "algorithm-1-literal": { token: "kf", mark: "cross", dash: DASH },
-  "algorithm-1-rank1": { token: "kf", mark: "ring", dash: [] },
-  "algorithm-2-literal": { token: "uc-kf", mark: "cross", dash: DASH },
-  "algorithm-2-rank1": { token: "uc-kf", mark: "triangle", dash: [] },
-  "algorithm-2-so": { token: "et-kf", mark: "diamond", dash: [] },
-  "snapshot-sync": { token: "ortho", mark: "square", dash: [] },
-  "maximum-likelihood-accelerometers": { token: "eskf", mark: "disc", dash: [] },
-  "multidimensional-scaling": { token: "eskf-raw", mark: "cross", dash: DASH },
+  "algorithm-2-rank1": { token: "ortho", mark: "triangle", dash: [] },
+  "algorithm-2-so": { token: "ortho", mark: "square", dash: DASH },
+  "algorithm-2-literal": { token: "ortho", mark: "cross", dash: DASH },
+  "snapshot-sync": { token: "et-kf", mark: "diamond", dash: [] },
+  "maximum-likelihood-distances": { token: "eskf", mark: "disc", dash: [] },
+  "maximum-likelihood-accelerometers": { token: "uc-kf", mark: "ring", dash: [] },
+  "multidimensional-scaling": { token: "eskf-raw", mark: "triangle", dash: [] },
   "range-polynomial-2": { token: "eskf-raw", mark: "cross", dash: [] },
-  "range-polynomial-3": { token: "ortho", mark: "square", dash: [] },
+  "range-polynomial-3": { token: "eskf", mark: "disc", dash: [] },
   "range-polynomial-4": { token: "et-kf", mark: "diamond", dash: DASH },
-  "range-polynomial-6": { token: "eskf", mark: "disc", dash: [] },
+  "range-polynomial-6": { token: "uc-kf", mark: "ring", dash: [] },
 };
 const KINEMATICS_BOUNDS: Record<string, { dash: number[] }> = {
   "crb-distances": { dash: DASH },
