@@ -47,8 +47,7 @@ const BOUNDS: Record<string, { readonly dash: number[] } | undefined> = {
 };
 
 export function lookOf({ name, kind }: Pick<Curve, "name" | "kind">): Look {
-  if (kind === "bound")
-    return { token: "bound", mark: null, dash: BOUNDS[name]?.dash ?? DASH };
+  if (kind === "bound") return { token: "bound", mark: null, dash: BOUNDS[name]?.dash ?? DASH };
   const { token, mark, dash } = estimatorLook(name);
   return kind === "covariance" ? { token, mark: null, dash: DOTS } : { token, mark, dash };
 }
