@@ -2,7 +2,7 @@
 
 use super::claims_come_out_over;
 
-pub const FAIL: [&str; 10] = [
+pub const FAIL: [&str; 11] = [
     "RMSE(B1) of Algorithm 2 over that of Algorithm 1, worst",
     "RMSE(B0) of Algorithm 1 over the CRB from distances",
     "RMSE(B1) of Algorithm 1 over the CRB from distances",
@@ -12,9 +12,18 @@ pub const FAIL: [&str; 10] = [
     "RMSE(B2) of Algorithm 2 over the CRB with accelerations",
     "RMSE of Algorithm 1 at t = -5 s, the noise a thousandth",
     "RMSE of Algorithm 1 at t = 5 s, the noise a thousandth",
-    "RMSE of Algorithm 2 at t = ",
+    "RMSE of Algorithm 2 at t = -5 s, the noise a thousandth",
+    "RMSE of Algorithm 2 at t = 5 s, the noise a thousandth",
 ];
-pub const OPEN: [&str; 0] = [];
+pub const OPEN: [&str; 7] = [
+    "RMSE(Y0) of Snapshot synchronization over",
+    "RMSE(Y0) of ML, distances over the CRB",
+    "RMSE(Y1) of ML, distances over the CRB",
+    "RMSE(Y2) of ML, distances over the CRB",
+    "RMSE(Y1) of ML, distances and accelerations over the CRB",
+    "aligned at t = -5 s: RMSE of Algorithm 2, O(D)",
+    "aligned at t = 5 s: RMSE of Algorithm 2, O(D)",
+];
 
 const TRIALS: usize = 200;
 
