@@ -2,6 +2,7 @@
 
 use clap::Args;
 use rangelab::model::indoor::presets::{INDOOR_PRESETS, indoor_preset};
+use rangelab::model::kinematics::presets::{KINEMATICS_PRESETS, kinematics_preset};
 use rangelab::model::presets::{PRESETS, preset};
 
 use super::failure::Failure;
@@ -13,7 +14,8 @@ Examples:
   rangelab presets                     their names and what they show
   rangelab presets room > mine.json    one as JSON, to edit and then `rangelab run mine.json`
 
-Those called indoor-… are for `rangelab indoor` and `rangelab validate`, the others for all other commands.";
+Those called indoor-… are for `rangelab indoor`, those called kinematics-… for `rangelab anchorless`, the others for all \
+other commands; `rangelab validate` takes any.";
 
 /// Longest line of the list.
 const LINE: usize = 100;
@@ -41,6 +43,9 @@ fn json(name: &str) -> rangelab::Result<String> {
     if name.starts_with("indoor") {
         return Ok(indoor_preset(name)?.to_json());
     }
+    if name.starts_with("kinematics") {
+        return Ok(kinematics_preset(name)?.to_json());
+    }
     Ok(preset(name)?.to_json())
 }
 
@@ -48,7 +53,8 @@ fn json(name: &str) -> rangelab::Result<String> {
 fn list() -> String {
     let rigid = PRESETS.iter().map(|preset| (preset.name, preset.title, preset.summary));
     let indoor = INDOOR_PRESETS.iter().map(|preset| (preset.name, preset.title, preset.summary));
-    let presets: Vec<_> = rigid.chain(indoor).collect();
+    let kinematics = KINEMATICS_PRESETS.iter().map(|preset| (preset.name, preset.title, preset.summary));
+    let presets: Vec<_> = rigid.chain(indoor).chain(kinematics).collect();
     let width = presets.iter().map(|(name, ..)| name.len()).max().unwrap_or(0);
     let entries = presets.iter().map(|(name, title, summary)| {
         let lines = wrapped(summary, LINE - width - 2);

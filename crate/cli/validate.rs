@@ -2,6 +2,7 @@
 
 use clap::{Args, ValueEnum};
 use rangelab::model::indoor::IndoorScenario;
+use rangelab::model::kinematics::KinematicsScenario;
 use rangelab::model::recording::RecordingDocument;
 use rangelab::model::scenario::Scenario;
 use rangelab::{Error, Problem};
@@ -19,11 +20,11 @@ Examples:
 
 Exit code 0: no problem; 2: there are problems, one a line on stdout.";
 
-/// Check a scenario, an indoor scenario or a recording and list every problem: path, value, limit
+/// Check a scenario of any kind or a recording and list every problem: path, value, limit
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct ValidateCommand {
-    /// A scenario, an indoor scenario or a recording as JSON file, or - for stdin
+    /// A scenario, an indoor or a kinematics scenario, or a recording as JSON file, or - for stdin
     #[arg(value_name = "FILE")]
     file: String,
 
@@ -41,7 +42,7 @@ enum ListFormat {
     Json,
 }
 
-/// What tells a recording and an indoor scenario from a scenario.
+/// What tells a recording, an indoor scenario and a kinematics scenario from a scenario.
 #[derive(Default, Deserialize)]
 struct Kind {
     epochs: Option<IgnoredAny>,
@@ -51,6 +52,8 @@ struct Kind {
     imu: Option<IgnoredAny>,
     ranging: Option<IgnoredAny>,
     filters: Option<IgnoredAny>,
+    coefficients: Option<IgnoredAny>,
+    stamps: Option<IgnoredAny>,
 }
 
 impl Kind {
@@ -66,6 +69,8 @@ impl ValidateCommand {
         let kind = serde_json::from_str::<Kind>(&text).unwrap_or_default();
         let (document, result) = if kind.epochs.is_some() {
             ("recording", RecordingDocument::from_json(&text).map(|_| ()))
+        } else if kind.coefficients.is_some() || kind.stamps.is_some() {
+            ("kinematics scenario", KinematicsScenario::from_json(&text).map(|_| ()))
         } else if kind.is_indoor() {
             ("indoor scenario", IndoorScenario::from_json(&text).map(|_| ()))
         } else {

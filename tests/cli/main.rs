@@ -1,5 +1,6 @@
 //! The built command line: what it writes, where, and with which exit code.
 
+mod anchorless;
 mod command;
 mod field;
 mod figure;

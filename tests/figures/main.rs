@@ -2,6 +2,7 @@
 //! that are spoiled and must lose claims, and the laws of the jobs. `cargo run --release --example figures` prints them.
 
 mod indoor;
+mod kinematics;
 
 use rangelab::study::figures::claim::{Claim, Interval, Source, Verdict};
 use rangelab::study::figures::experiment::Study;
@@ -50,13 +51,14 @@ fn computed(plan: &FigurePlan) -> FigureSum {
     sum
 }
 
-fn begins(claim: &Claim, with: [&[&str]; 2]) -> bool {
+fn begins(claim: &Claim, with: [&[&str]; 3]) -> bool {
     with.concat().iter().any(|start| claim.what.starts_with(start))
 }
 
 /// Claims whose verdict is not the expected one.
 fn surprises(claims: &[Claim]) -> Vec<String> {
-    let (fail, open) = ([&FAIL[..], &indoor::FAIL], [&OPEN[..], &indoor::OPEN]);
+    let fail = [&FAIL[..], &indoor::FAIL, &kinematics::FAIL];
+    let open = [&OPEN[..], &indoor::OPEN, &kinematics::OPEN];
     let surprising = |claim: &&Claim| match claim.verdict {
         Verdict::Holds => begins(claim, fail),
         Verdict::DoesNotHold => !begins(claim, fail),
@@ -92,6 +94,10 @@ fn exchanged(studies: &[Study], a: &str, b: &str) -> Vec<Study> {
                     .filters
                     .iter_mut()
                     .for_each(|each| each.name = other(each.name.name()).parse().unwrap());
+            }
+            Study::Kinematics(report) => {
+                let each = report.points.iter_mut().flat_map(|point| &mut point.estimators);
+                each.for_each(|each| each.name = other(each.name.name()).parse().unwrap());
             }
         }
     }
@@ -199,6 +205,10 @@ fn without_numbers_nothing_is_decided() {
                     report.bounds.clear();
                 }
                 Study::Indoor(report) => report.filters.clear(),
+                Study::Kinematics(report) => report.points.iter_mut().for_each(|point| {
+                    point.estimators.clear();
+                    point.bounds.clear();
+                }),
             }
         }
         let report = plan.report_of(&studies);
@@ -210,7 +220,9 @@ fn without_numbers_nothing_is_decided() {
 
 #[test]
 fn any_split_of_the_jobs_gives_the_same_bits() {
-    for (name, trials) in [("tracking-3", 230), ("localization-7", 570), ("indoor-9", 45)] {
+    for (name, trials) in
+        [("tracking-3", 230), ("localization-7", 570), ("indoor-9", 45), ("kinematics-2b", 105)]
+    {
         let plan = plan(name, trials, 5);
         let straight = plan.report(&computed(&plan)).unwrap();
         let backwards = (0..plan.jobs()).rev().map(|job| plan.to_numbers(&plan.job(job).unwrap()));

@@ -3,3 +3,4 @@
 mod anchor_draws;
 mod budget;
 mod indoor_sweep;
+mod kinematics_sweep;

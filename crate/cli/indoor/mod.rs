@@ -3,7 +3,6 @@
 mod input;
 mod run;
 mod study;
-mod table;
 
 use clap::{Args, Subcommand};
 

@@ -6,9 +6,9 @@ use rangelab::model::indoor::run::{IndoorFilterRun, IndoorRun};
 use rangelab::study::indoor::run::run_indoor;
 
 use super::input::IndoorInput;
-use super::table::columns;
 use crate::cli::failure::Failure;
 use crate::cli::output::Output;
+use crate::cli::table::columns;
 
 const HEADER: [&str; 6] = ["", "position, m", "angle, deg", "NEES/9", "last position, m", "R stretched by"];
 const LEGEND: &str = "

@@ -8,9 +8,9 @@ use rangelab::study::indoor::report::{IndoorFilterReport, IndoorReport, IndoorSt
 use rangelab::study::moments::Estimate;
 
 use super::input::IndoorInput;
-use super::table::columns;
 use crate::cli::failure::Failure;
 use crate::cli::output::Output;
+use crate::cli::table::columns;
 use crate::cli::workers::{Jobs, Threads};
 
 const HEADER: [&str; 7] = ["", "position, m", "angle, deg", "NEES/9", "90 % below, m", "repairs", "failed"];

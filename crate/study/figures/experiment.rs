@@ -7,6 +7,7 @@ use super::report::FigureScenario;
 use crate::error::Result;
 use crate::study::block::Block;
 use crate::study::indoor::sweep::{IndoorSweep, IndoorSweepReport, SweepBlock};
+use crate::study::kinematics::sweep::{KinematicsSweep, KinematicsSweepBlock, KinematicsSweepReport};
 use crate::study::localization::LocalizationBlock;
 use crate::study::localization::report::LocalizationReport;
 use crate::study::report::StudyReport;
@@ -28,7 +29,7 @@ pub(super) trait Kind {
     /// How many blocks so many trials have.
     fn blocks(&self, trials: usize) -> Result<usize>;
 
-    /// No trials yet.
+    /// No trials yet, and what no trial changes.
     fn start(&self) -> Self::Sums;
 
     /// Block `index` of so many trials.
@@ -141,4 +142,6 @@ kinds! {
     Sweep(NoiseSweep, LocalizationBlock, LocalizationReport) = sweep;
     /// Inertial filters, point by point of a sweep.
     Indoor(IndoorSweep, SweepBlock, IndoorSweepReport) = indoor;
+    /// Estimators of relative kinematics, number of stamps by number of stamps.
+    Kinematics(KinematicsSweep, KinematicsSweepBlock, KinematicsSweepReport) = kinematics;
 }

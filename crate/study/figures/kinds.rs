@@ -1,5 +1,5 @@
 //! The kinds of experiments that figures are made of: trackers over steps, snapshot estimators over a sweep of the noise,
-//! inertial filters over a sweep.
+//! inertial filters over a sweep, estimators of relative kinematics over the number of stamps.
 
 use super::experiment::Kind;
 use super::report::FigureScenario;
@@ -7,6 +7,7 @@ use crate::error::Result;
 use crate::model::scenario::Scenario;
 use crate::study::block::Block;
 use crate::study::indoor::sweep::{IndoorSweep, IndoorSweepReport, SweepBlock};
+use crate::study::kinematics::sweep::{KinematicsSweep, KinematicsSweepBlock, KinematicsSweepReport};
 use crate::study::localization::report::LocalizationReport;
 use crate::study::localization::{LocalizationBlock, LocalizationStudy, paper_sweep};
 use crate::study::monte_carlo::MonteCarlo;
@@ -115,6 +116,39 @@ impl Kind for IndoorSweep {
     }
 
     fn report(&self, _trials: usize, sums: &SweepBlock) -> Result<IndoorSweepReport> {
+        Ok(self.report(sums))
+    }
+}
+
+impl Kind for KinematicsSweep {
+    type Sums = KinematicsSweepBlock;
+    type Report = KinematicsSweepReport;
+
+    fn scenario(&self) -> FigureScenario {
+        self.scenario().clone().into()
+    }
+
+    fn set_seed(&mut self, seed: u64) {
+        self.set_seed(seed);
+    }
+
+    fn blocks(&self, trials: usize) -> Result<usize> {
+        self.blocks(trials)
+    }
+
+    fn start(&self) -> KinematicsSweepBlock {
+        self.start()
+    }
+
+    fn block(&self, trials: usize, index: usize) -> Result<KinematicsSweepBlock> {
+        self.block(trials, index)
+    }
+
+    fn read(&self, numbers: &[f64]) -> Result<KinematicsSweepBlock> {
+        KinematicsSweepBlock::from_numbers(self, numbers)
+    }
+
+    fn report(&self, _trials: usize, sums: &KinematicsSweepBlock) -> Result<KinematicsSweepReport> {
         Ok(self.report(sums))
     }
 }

@@ -11,10 +11,12 @@ mod extreme;
 mod indoor;
 mod jackknife;
 mod kinds;
+mod kinematics;
 mod localization;
 pub mod plan;
 pub mod report;
 mod tracking;
+mod wording;
 
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -35,8 +37,8 @@ pub struct Figure {
     pub name: &'static str,
     /// The paper.
     pub paper: Paper,
-    /// Its number there.
-    pub number: usize,
+    /// Its number there, with the letter of its part.
+    pub number: &'static str,
     /// What it shows.
     pub title: &'static str,
     /// What the paper says about it, in a sentence.
@@ -68,10 +70,12 @@ pub enum Paper {
     Localization,
     /// \[I\], *Indoor Position and Attitude Tracking with SO(3) Manifold*.
     Indoor,
+    /// \[A\], *Relative Kinematics Estimation Using Accelerometer Measurements*.
+    Kinematics,
 }
 
 /// All figures, in the order in which they are listed.
-pub static FIGURES: [Figure; 16] = [
+pub static FIGURES: [Figure; 19] = [
     tracking::FIGURE_2,
     tracking::FIGURE_3,
     localization::FIGURE_2,
@@ -88,6 +92,9 @@ pub static FIGURES: [Figure; 16] = [
     indoor::FIGURE_7,
     indoor::FIGURE_8,
     indoor::FIGURE_9,
+    kinematics::FIGURE_1,
+    kinematics::FIGURE_2A,
+    kinematics::FIGURE_2B,
 ];
 
 /// The seed that a figure has where none is asked for.
@@ -100,6 +107,7 @@ impl Figure {
             Paper::Tracking => "Tracking Position and Orientation of a Mobile Rigid Body",
             Paper::Localization => "Rigid Body Localization Using Sensor Networks",
             Paper::Indoor => "Indoor Position and Attitude Tracking with SO(3) Manifold",
+            Paper::Kinematics => "Relative Kinematics Estimation Using Accelerometer Measurements",
         };
         format!("{paper}, Fig. {}", self.number)
     }
@@ -116,7 +124,7 @@ impl Figure {
 ///
 /// ```
 /// use rangelab::study::figures::figure;
-/// assert_eq!(figure("tracking-3")?.number, 3);
+/// assert_eq!(figure("kinematics-2a")?.number, "2a");
 /// assert!(figure("tracking-4").unwrap_err().to_string().contains("tracking-2, tracking-3"));
 /// # Ok::<(), rangelab::Error>(())
 /// ```

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::claim::Claim;
 use crate::model::indoor::IndoorScenario;
+use crate::model::kinematics::KinematicsScenario;
 use crate::model::scenario::Scenario;
 use crate::study::moments::Estimate;
 
@@ -141,6 +142,8 @@ pub enum FigureScenario {
     Body(Scenario),
     /// Of an IMU and ranges indoors.
     Indoor(IndoorScenario),
+    /// Of mobile nodes and the distances between them.
+    Kinematics(KinematicsScenario),
 }
 
 impl From<Scenario> for FigureScenario {
@@ -155,12 +158,19 @@ impl From<IndoorScenario> for FigureScenario {
     }
 }
 
+impl From<KinematicsScenario> for FigureScenario {
+    fn from(scenario: KinematicsScenario) -> Self {
+        Self::Kinematics(scenario)
+    }
+}
+
 impl FigureScenario {
     /// The document as JSON; every number comes back as the same bits.
     pub fn to_json(&self) -> String {
         match self {
             Self::Body(scenario) => scenario.to_json(),
             Self::Indoor(scenario) => scenario.to_json(),
+            Self::Kinematics(scenario) => scenario.to_json(),
         }
     }
 }

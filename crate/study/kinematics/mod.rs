@@ -6,4 +6,5 @@ pub mod errors;
 pub mod monte_carlo;
 pub mod report;
 pub mod run;
+pub mod sweep;
 mod tally;

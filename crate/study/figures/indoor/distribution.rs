@@ -5,10 +5,10 @@ use alloc::vec::Vec;
 
 use super::experiments::{COARSE_DB, FINE_DB, MATCHED, SAMPLED};
 use super::reading::{NINTH_DECILE, Reading};
-use super::wording::{beyond, paper};
 use crate::model::indoor::filter_settings::FilterName::{Ekf, EkfRie, Mekf, Ukf, UkfRie};
 use crate::study::figures::claim::{Claim, Interval};
 use crate::study::figures::experiment::Study;
+use crate::study::figures::wording::{beyond, paper};
 
 pub(super) fn figure_9(studies: &[Study]) -> Vec<Claim> {
     let [sampled, matched] = [SAMPLED, MATCHED].map(|index| Reading::of(studies, index));

@@ -6,11 +6,11 @@ use alloc::format;
 use alloc::vec::Vec;
 
 use super::experiments::{PRINTED_DB, STAIR, STAIR_MATCHED, TUMBLE, U, U_EXPONENTIAL};
-use super::reading::{ANGLE, Reading};
-use super::wording::{across, at_worst, beyond, paper};
+use super::reading::{ANGLE, Reading, at_worst};
 use crate::model::indoor::filter_settings::FilterName::{Ekf, EkfRie, Mekf, Ukf, UkfRie};
 use crate::study::figures::claim::{Claim, Interval};
 use crate::study::figures::experiment::Study;
+use crate::study::figures::wording::{across, beyond, paper};
 
 const MARGINALLY_BETTER: Interval = Interval::most(0.99);
 

@@ -11,13 +11,13 @@ use super::experiments::{
     BRIDGE, BRIDGE_MATCHED, PAPER, PRINTED_DB, STAIR, STAIR_MATCHED, STAIR_SINGLE, U, U_CONGRUENCE,
     U_ISOSCELES, U_MATCHED, U_MATCHED_SINGLE, U_PRINTED, U_PRINTED_UNSURE, U_SINGLE, ZIGZAG,
 };
-use super::reading::{POSITION, Reading};
-use super::wording::{across, at_worst, beyond, paper};
+use super::reading::{POSITION, Reading, at_worst};
 use crate::model::indoor::filter_settings::FilterName::{
     self, Ekf, EkfRetraction, EkfRie, Mekf, Ukf, UkfRie,
 };
 use crate::study::figures::claim::{Claim, Interval};
 use crate::study::figures::experiment::Study;
+use crate::study::figures::wording::{across, beyond, paper};
 use crate::study::moments::Estimate;
 
 const HALF: Interval = Interval::most(0.5);

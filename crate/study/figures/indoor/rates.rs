@@ -8,10 +8,10 @@ use alloc::vec::Vec;
 
 use super::experiments::{MATCHED, SAMPLED};
 use super::reading::{POSITION, Reading};
-use super::wording::{across, beyond, paper};
 use crate::model::indoor::filter_settings::FilterName::{self, Ekf, EkfRie, Mekf};
 use crate::study::figures::claim::{Claim, Interval};
 use crate::study::figures::experiment::Study;
+use crate::study::figures::wording::{across, beyond, paper};
 use crate::study::moments::Estimate;
 
 pub(super) fn figures_7_and_8(studies: &[Study]) -> Vec<Claim> {

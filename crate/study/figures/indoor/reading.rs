@@ -1,5 +1,8 @@
 //! Numbers of a sweep by filter and point.
 
+use alloc::format;
+use alloc::string::String;
+
 use crate::math::float::sqrt;
 use crate::model::indoor::filter_settings::FilterName;
 use crate::study::figures::experiment::Study;
@@ -14,6 +17,11 @@ pub(super) type Read = fn(&IndoorSummary) -> Estimate;
 
 pub(super) const POSITION: Read = |s| s.position;
 pub(super) const ANGLE: Read = |s| s.angle;
+
+/// Where a claim about every noise is hardest.
+pub(super) fn at_worst(what: &str, decibels: f64) -> String {
+    format!("{what}, worst at {decibels} dB")
+}
 
 /// A sweep that is asked for numbers which it may lack.
 #[derive(Clone, Copy)]

@@ -6,12 +6,12 @@
 use alloc::vec::Vec;
 
 use super::experiments::{PAPER, PRINTED_DB, REST, REST_ISOSCELES, REST_SQUARED};
-use super::reading::{ANGLE, POSITION, Read, Reading};
-use super::wording::{across, at_worst, beyond, paper};
+use super::reading::{ANGLE, POSITION, Read, Reading, at_worst};
 use crate::math::float::sqrt;
 use crate::model::indoor::filter_settings::FilterName::{Ekf, Mekf, Ukf};
 use crate::study::figures::claim::{Claim, Interval};
 use crate::study::figures::experiment::Study;
+use crate::study::figures::wording::{across, beyond, paper};
 use crate::study::moments::Estimate;
 
 const ALIGNED: Interval = Interval::most(1.01);

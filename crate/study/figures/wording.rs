@@ -1,15 +1,9 @@
-//! How claims of \[I\] are put.
+//! How claims are put.
 
-use alloc::format;
 use alloc::string::String;
 
-use crate::study::figures::claim::{Claim, Interval, Source};
+use super::claim::{Claim, Interval, Source};
 use crate::study::moments::Estimate;
-
-/// Where a claim about every noise is hardest.
-pub(super) fn at_worst(what: &str, decibels: f64) -> String {
-    format!("{what}, worst at {decibels} dB")
-}
 
 /// The ratio of two numbers, of which either may be missing.
 pub(super) fn across(a: Option<Estimate>, b: Option<Estimate>) -> Option<Estimate> {
