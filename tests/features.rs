@@ -46,7 +46,9 @@ fn the_crate_alone_keeps_the_bits() {
 
 #[test]
 fn the_browser_modules_keep_the_bits() {
-    for package in ["rangelab-track", "rangelab-explore", "rangelab-localize", "rangelab-figures"] {
+    let modules =
+        ["rangelab-track", "rangelab-explore", "rangelab-localize", "rangelab-indoor", "rangelab-figures"];
+    for package in modules {
         check(&["--package", package, "--target", "wasm32-unknown-unknown"]);
     }
 }

@@ -30,6 +30,7 @@ const FOREIGN: [(&str, &[&str]); 3] = [
             "rangelab_track",
             "rangelab_explore",
             "rangelab_localize",
+            "rangelab_indoor",
             "rangelab_figures",
             "rangelab_wasm_shared",
         ],

@@ -1,11 +1,15 @@
 import { expect, test } from "vitest";
+import type { Family } from "./family";
 import { forLab, type Lab, labOf } from "./lab";
 import { LABS } from "./labs";
 import type { Scenario } from "./scenario";
 
-const first = { name: "track" } as Lab;
-const second = { name: "localize" } as Lab;
-const labs = [first, second];
+const claiming = (key: string) => ({ claims: (document) => key in document }) as Family;
+const [body, imu] = [claiming("anchors"), claiming("imu")];
+const first = { name: "track", family: body } as Lab;
+const second = { name: "localize", family: body } as Lab;
+const other = { name: "indoor", family: imu } as Lab;
+const labs = [first, second, other];
 const scenario = { view: null } as unknown as Scenario;
 
 test("the folders below labs/ are found, each with a name and a place of its own", () => {
@@ -18,6 +22,12 @@ test("a scenario without a lab is for the first, one with an unknown lab for non
   expect(labOf(scenario, labs)).toBe(first);
   expect(labOf({ ...scenario, view: { lab: "localize" } }, labs)).toBe(second);
   expect(labOf({ ...scenario, view: { lab: "moon" } }, labs)).toBeUndefined();
+});
+
+test("a document that names no lab goes to the first one for documents like it", () => {
+  expect(labOf({ version: 1, imu: {} }, labs)).toBe(other);
+  expect(labOf({ version: 1, anchors: [] }, labs)).toBe(first);
+  expect(labOf({ version: 1, imu: {}, view: { lab: "track" } }, labs)).toBe(first);
 });
 
 test("a scenario is marked for another lab without losing its other hints", () => {

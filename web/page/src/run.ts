@@ -85,6 +85,6 @@ export function matrixAt(values: Float64Array, step: number, dimension: number, 
 }
 
 /** Whether the estimator still ran at `step`. */
-export function runsAt(estimator: EstimatorRun, step: number): boolean {
+export function runsAt(estimator: Pick<EstimatorRun, "stopped">, step: number): boolean {
   return estimator.stopped === null || step < estimator.stopped.step;
 }

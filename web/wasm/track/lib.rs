@@ -13,9 +13,8 @@ use rangelab::model::scenario::Scenario;
 use rangelab::model::topologies;
 use rangelab::study::monte_carlo::TRIALS_PER_BLOCK;
 use rangelab::study::track_run::run_scenario;
-use rangelab::{Error, Problem};
-use rangelab_wasm_shared::json;
-use serde::Serialize;
+use rangelab::Error;
+use rangelab_wasm_shared::{complaints, json};
 use wasm_bindgen::prelude::*;
 
 pub use budget::{BudgetSum, budget_block};
@@ -67,12 +66,7 @@ pub fn chi_squared_interval(degrees_of_freedom: f64, probability: f64) -> Result
 /// scenario gives one entry without a path.
 #[wasm_bindgen]
 pub fn validate(scenario: &str) -> String {
-    let found = match Scenario::from_json(scenario) {
-        Ok(_) => Vec::new(),
-        Err(Error::Invalid { problems, .. }) => problems.into_iter().map(Found::from).collect(),
-        Err(error) => vec![Found { message: error.to_string(), ..Found::default() }],
-    };
-    json(&found)
+    complaints(Scenario::from_json(scenario))
 }
 
 /// Simulates one trial of a scenario (JSON) and runs its estimators and the bounds on it.
@@ -91,28 +85,4 @@ fn end_of_block(first_trial: usize) -> Result<usize, Error> {
     }
     let (value, limit) = (first_trial as f64, "a multiple of 20");
     Err(Error::Number { what: "the first trial of a block", value, limit })
-}
-
-/// What people and files call an estimator or a bound.
-#[derive(Serialize)]
-struct Named<'a> {
-    name: &'a str,
-    label: &'a str,
-}
-
-/// A problem and its sentence.
-#[derive(Default, Serialize)]
-struct Found {
-    path: String,
-    value: String,
-    limit: String,
-    message: String,
-}
-
-impl From<Problem> for Found {
-    fn from(problem: Problem) -> Self {
-        let message = problem.to_string();
-        let Problem { path, value, limit } = problem;
-        Self { path, value, limit, message }
-    }
 }

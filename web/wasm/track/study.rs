@@ -8,10 +8,8 @@ use rangelab::study::monte_carlo::{MonteCarlo, TRIALS_PER_BLOCK};
 use rangelab::study::report::BoundSummary;
 use rangelab::study::tally::Summary;
 use rangelab::with_dimension;
-use rangelab_wasm_shared::json;
+use rangelab_wasm_shared::{Named, json};
 use wasm_bindgen::prelude::*;
-
-use crate::Named;
 
 /// Trials that are summed before their sum is joined to others. A study starts its pieces at multiples of it.
 #[wasm_bindgen]

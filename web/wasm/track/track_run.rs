@@ -4,10 +4,8 @@ use rangelab::math::float::sqrt;
 use rangelab::math::rotation::rotation_angles;
 use rangelab::model::document::entries::PoseEntries;
 use rangelab::model::run::{BoundRecord, BoundRun, EstimatorRun, Run, StepRecord};
-use rangelab_wasm_shared::json;
+use rangelab_wasm_shared::{Named, json, padded};
 use wasm_bindgen::prelude::*;
-
-use crate::Named;
 
 /// What the estimators and bounds made of one recording: K steps, D dimensions, matrices row by row. Estimators and
 /// bounds are numbered as in [`TrackRun::estimators`] and [`TrackRun::bounds`]. NaN stands where there is no number:
@@ -228,22 +226,4 @@ impl TrackRun {
     fn bounds_of(&self, bound: usize, width: usize, write: impl Fn(&BoundRecord, &mut Vec<f64>)) -> Vec<f64> {
         padded(self.steps(), width, self.0.bounds[bound].steps.iter().map(Option::as_ref), write)
     }
-}
-
-/// `steps` rows of `width` numbers; what is missing becomes NaN.
-fn padded<'a, T: 'a>(
-    steps: usize,
-    width: usize,
-    entries: impl Iterator<Item = Option<&'a T>>,
-    write: impl Fn(&T, &mut Vec<f64>),
-) -> Vec<f64> {
-    let mut numbers = Vec::with_capacity(steps * width);
-    for (k, entry) in entries.enumerate() {
-        if let Some(entry) = entry {
-            write(entry, &mut numbers);
-        }
-        numbers.resize((k + 1) * width, f64::NAN);
-    }
-    numbers.resize(steps * width, f64::NAN);
-    numbers
 }

@@ -89,7 +89,7 @@ export function curve(numbers: Float64Array): Curve {
   return { value: numbers.subarray(0, steps), standardError: numbers.subarray(steps) };
 }
 
-function rows(values: Float64Array, width: number): number[][] {
+export function rows(values: Float64Array, width: number): number[][] {
   return Array.from({ length: values.length / width }, (_, row) => [
     ...values.subarray(row * width, (row + 1) * width),
   ]);

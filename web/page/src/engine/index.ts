@@ -5,11 +5,13 @@
  */
 import { exploreModule } from "./explore";
 import { figuresModule } from "./figures";
+import { indoorModule } from "./indoor";
 import { localizeModule } from "./localize";
 import { trackModule } from "./track";
 
 export * from "./explore";
 export * from "./figures";
+export * from "./indoor";
 export * from "./localize";
 export { type EngineModule, EngineTrap } from "./module";
 export * from "./scene";
@@ -21,6 +23,7 @@ export const modules = {
   track: trackModule,
   explore: exploreModule,
   localize: localizeModule,
+  indoor: indoorModule,
   figures: figuresModule,
 };
 

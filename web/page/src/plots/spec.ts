@@ -1,5 +1,5 @@
 import { formatReading } from "../controls/format";
-import type { Scenario } from "../scenario";
+import type { SceneDocument } from "../family";
 import type { Shape } from "../scene/draw-list";
 
 /** One curve of a plot, a number a step; NaN where there is none. */
@@ -22,7 +22,7 @@ export interface PlotLine {
 /** An edit of the scenario, and what it is called. */
 export interface PlotEdit {
   readonly what: string;
-  readonly scenario: Scenario;
+  readonly scenario: SceneDocument;
 }
 
 /** What a handle in a plot sets. */
@@ -105,7 +105,7 @@ export interface PlotSpec {
 
 /** What the numbers of a plot are of. */
 export interface PlotSource {
-  readonly scenario: Scenario;
+  readonly scenario: SceneDocument;
   /** How many trials were averaged, or null for the one run that is drawn. */
   readonly trials: number | null;
 }

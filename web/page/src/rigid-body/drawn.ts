@@ -1,3 +1,4 @@
+import type { Room } from "../family";
 import type { LabRun } from "../lab";
 import { matrixAt, pointAt, type PoseTrack } from "../run";
 import type { Scenario } from "../scenario";
@@ -7,10 +8,10 @@ import type { SceneInput } from "../scene/input";
 
 /** Where things of a run are drawn: bodies and errors are magnified around the true position. */
 
-const hulls = new WeakMap<Scenario["sensors"], Hull>();
+const hulls = new WeakMap<Room["body"], Hull>();
 
-/** The hull of a topology is found once: scenarios share the list of sensors from edit to edit. */
-export function hullOfSensors(sensors: Scenario["sensors"]): Hull {
+/** The hull of a topology is found once: documents share the list of sensors from edit to edit. */
+export function hullOfSensors(sensors: Room["body"]): Hull {
   const known = hulls.get(sensors) ?? hullOf(sensors.map(lift));
   hulls.set(sensors, known);
   return known;
@@ -24,7 +25,7 @@ export function drawnPosition(run: LabRun, track: PoseTrack, step: number, magni
 }
 
 export function drawnSensors(input: SceneInput<LabRun>, run: LabRun, track: PoseTrack, step: number): Vec3[] {
-  return drawnPlaces(input, run, track, step, input.scenario.sensors.map(lift));
+  return drawnPlaces(input, run, track, step, input.room.body.map(lift));
 }
 
 /** Where places on the body (body frame) are drawn. */
@@ -41,8 +42,8 @@ export function drawnPlaces(
 }
 
 /** Metres that the axes of the body are drawn long. */
-export function axisLength({ frame, scenario }: SceneInput<LabRun>): number {
-  return 1.6 * frame.magnification * Math.max(...scenario.sensors.map((sensor) => Math.hypot(...sensor)));
+export function axisLength({ frame, room }: SceneInput<LabRun>): number {
+  return 1.6 * frame.magnification * Math.max(...room.body.map((point) => Math.hypot(...point)));
 }
 
 /** Unit vectors along the axes of a body, two in the plane. */

@@ -15,14 +15,14 @@ export function drawRanges(
   there: (anchor: number, sensor: number) => boolean,
   out: DrawList,
 ): void {
-  const { step, palette, scenario, frame } = input;
+  const { step, palette, room, frame } = input;
   const anchors = anchorPoints(input);
   const full = { width: 1, color: palette.rgba("range", 0.4) };
   const missing = { width: 1, color: palette.rgba("range", 0.25), dash: 4 };
-  if (anchors.length * scenario.sensors.length > MOST_RANGE_LINES) {
+  if (anchors.length * room.body.length > MOST_RANGE_LINES) {
     const body = drawnPosition(run, run.truth, step, frame.magnification);
     anchors.forEach((anchor, i) => {
-      const any = scenario.sensors.some((_, j) => there(i, j));
+      const any = room.body.some((_, j) => there(i, j));
       out.line(anchor, body, any ? { ...full, color: palette.rgba("range", 0.6) } : missing);
     });
     return;
@@ -35,9 +35,9 @@ export function drawRanges(
 
 /** The true body at the step shown: its hull, its sensors and its axes. */
 export function drawBody(input: SceneInput, run: LabRun, out: DrawList): void {
-  const { step, palette, scenario, frame } = input;
+  const { step, palette, room, frame } = input;
   const sensors = drawnSensors(input, run, run.truth, step);
-  const { edges, faces } = hullOfSensors(scenario.sensors);
+  const { edges, faces } = hullOfSensors(room.body);
   for (const [i, j, k] of faces)
     out.triangle([sensors[i], sensors[j], sensors[k]], palette.rgba("truth", 0.1));
   for (const [i, j] of edges) out.line(sensors[i], sensors[j], { width: 2, color: palette.rgba("truth") });

@@ -9,13 +9,13 @@ import { axesOf, axisLength, drawnPosition } from "./drawn";
 
 /** The 95 % ellipsoid of a position covariance (K x D x D numbers, square metres), unless it would swallow the scene. */
 export function drawEllipsoid(
-  { step, scenario, frame }: SceneInput,
+  { step, room, frame }: SceneInput,
   centre: Vec3,
   covariances: Float64Array,
   color: Color,
   out: DrawList,
 ): void {
-  const axes = ellipsoidAxes(covariances, step, scenario.dimension, frame.magnification);
+  const axes = ellipsoidAxes(covariances, step, room.dimension, frame.magnification);
   if (axes && axes.every((axis) => length(axis) < 3 * frame.radius)) out.ellipsoid(centre, axes, color);
 }
 

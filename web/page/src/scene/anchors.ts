@@ -1,5 +1,5 @@
+import type { Room } from "../family";
 import type { LabRun } from "../lab";
-import type { Scenario } from "../scenario";
 import { START } from "../state/handles";
 import type { Thing } from "../state/things";
 import type { DrawList } from "./draw-list";
@@ -11,9 +11,8 @@ const ANCHOR_RADIUS = 6.5;
 const START_RADIUS = 4;
 
 /** The anchors that were used: the run's where there is one, for presets that draw them anew. */
-export function anchorPoints({ scenario, run }: { scenario: Scenario; run: LabRun | null }): Vec3[] {
-  const redrawn = scenario.redraw_anchors !== null && run !== null;
-  return (redrawn ? run.anchors : scenario.anchors).map(lift);
+export function anchorPoints({ room, run }: { room: Room; run: LabRun | null }): Vec3[] {
+  return (!room.movable && run !== null ? run.anchors : room.anchors).map(lift);
 }
 
 /** Anchors and the start of the body, on stems that show where above the floor they are. */
@@ -24,13 +23,22 @@ export const anchors: Layer = (input, out) => {
     out.point(point, ANCHOR_RADIUS, color, "disc");
     chosenMark(input, index, point, ANCHOR_RADIUS, out);
   });
-  const start = lift(input.scenario.start.position);
+  if (hasStart(input)) start(input, out);
+  lifter(input, out);
+};
+
+function hasStart({ handles }: SceneInput): boolean {
+  return handles.some(({ id }) => id === START);
+}
+
+function start(input: SceneInput, out: DrawList): void {
+  const color = input.palette.rgba("anchor");
+  const start = lift(input.room.start);
   stem(input, start, out);
   out.point(start, START_RADIUS, color, "disc");
   out.point(start, START_RADIUS + 4, color, "ring");
   chosenMark(input, START, start, START_RADIUS, out);
-  lifter(input, out);
-};
+}
 
 /** A ring around what is under the pointer, and a full one around what is chosen. */
 export function chosenMark(
@@ -63,7 +71,7 @@ function lifter({ palette, view, lifted }: SceneInput, out: DrawList): void {
 }
 
 export function anchorLabels(input: SceneInput): Label[] {
-  const { scenario, selected } = input;
+  const { room, selected } = input;
   const numbers = anchorPoints(input).map((at, index): Label => ({
     id: `${index}`,
     at,
@@ -71,6 +79,7 @@ export function anchorLabels(input: SceneInput): Label[] {
     kind: "anchor",
     strong: selected.includes(index),
   }));
-  const at = lift(scenario.start.position);
+  if (!hasStart(input)) return numbers;
+  const at = lift(room.start);
   return [...numbers, { id: START, at, text: "start", kind: "handle", strong: selected.includes(START) }];
 }

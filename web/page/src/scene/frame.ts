@@ -1,6 +1,6 @@
+import type { Room } from "../family";
 import type { LabRun } from "../lab";
 import { pointAt } from "../run";
-import type { Scenario } from "../scenario";
 import { add, length, lift, niceBelow, scale, sub, type Vec3 } from "./geometry";
 
 /** What the camera is asked to show: everything, or the body from near. */
@@ -29,18 +29,18 @@ const DRAWN_SHARE = 0.18;
 /** How many times its own radius is seen around a body. */
 const AROUND_BODY = 1.1;
 
-export function frameOf(scenario: Scenario, run: LabRun | null, subject: Subject, step: number): Frame {
-  const anchors = (run ? run.anchors : scenario.anchors).map(lift);
-  const track = [lift(scenario.start.position), ...(run ? trackPoints(run) : [])];
-  const bodyRadius = Math.max(1e-6, ...scenario.sensors.map((sensor) => length(lift(sensor))));
+export function frameOf(room: Room, run: LabRun | null, subject: Subject, step: number): Frame {
+  const anchors = (run ? run.anchors : room.anchors).map(lift);
+  const track = [lift(room.start), ...(run ? trackPoints(run) : [])];
+  const bodyRadius = Math.max(1e-6, ...room.body.map((point) => length(lift(point))));
   const whole = box([...anchors, ...track], bodyRadius);
-  const near = box([bodyPosition(scenario, run, step)], AROUND_BODY * bodyRadius);
+  const near = box([bodyPosition(room, run, step)], AROUND_BODY * bodyRadius);
   const radius = halfDiagonal(whole);
   const ground = groundBelow(whole[0][2] + bodyRadius, radius);
   const feet = anchors.map(([x, y]): Vec3 => [x, y, ground]);
   const share = bodyRadius / halfDiagonal(subject === "all" ? whole : near);
   return {
-    flat: scenario.dimension === 2,
+    flat: room.dimension === 2,
     points: subject === "all" ? [...anchors, ...feet, ...corners(box(track, bodyRadius))] : corners(near),
     whole,
     centre: scale(add(...whole), 0.5),
@@ -51,8 +51,8 @@ export function frameOf(scenario: Scenario, run: LabRun | null, subject: Subject
 }
 
 /** The true position of the body at a step, or where it starts while there is no run. */
-export function bodyPosition(scenario: Scenario, run: LabRun | null, step: number): Vec3 {
-  return run ? pointAt(run.truth.positions, step, run.dimension) : lift(scenario.start.position);
+export function bodyPosition(room: Room, run: LabRun | null, step: number): Vec3 {
+  return run ? pointAt(run.truth.positions, step, run.dimension) : lift(room.start);
 }
 
 type Box = readonly [Vec3, Vec3];

@@ -12,7 +12,7 @@ const HALO = 2;
 
 /** Everything that can be chosen, and where it is drawn: anchors first, which are taken before handles. */
 export function thingPoints(
-  things: Pick<SceneInput, "scenario" | "run" | "handles" | "frame">,
+  things: Pick<SceneInput, "room" | "run" | "handles" | "frame">,
 ): Map<Thing, Vec3> {
   const { handles, frame } = things;
   return new Map<Thing, Vec3>([

@@ -74,8 +74,8 @@ export class Hands implements SceneHands {
   view = () => this.#look.view;
   planar = () => this.#look.planar;
   #points(): ReadonlyMap<Thing, Vec3> {
-    const { scenario, run } = this.#session;
-    return thingPoints({ scenario, run, handles: handlesOf(this.#session), frame: this.#look.frame });
+    const { room, run } = this.#session;
+    return thingPoints({ room, run, handles: handlesOf(this.#session), frame: this.#look.frame });
   }
 
   pickable = (): Pickable => ({
@@ -84,7 +84,7 @@ export class Hands implements SceneHands {
     lifted: this.lifted(),
   });
   selected = () => this.#session.selected;
-  movable = (thing: Thing) => movable(this.#session.scenario, thing);
+  movable = (thing: Thing) => movable(this.#session, thing);
   lifts = (thing: Thing) => !this.planar() && placeOf(this.#session, thing).length === 3;
 
   /** Where what was chosen last is, while the triangle that lifts it shows. */
@@ -172,8 +172,7 @@ export class Hands implements SceneHands {
 
   /** Adds an anchor on the floor under a pixel, by default under the pointer, else where it helps to be seen. */
   addAt(pixel: Pixel | null = this.#pointer): void {
-    const { scenario } = this.#session;
-    if (!movable(scenario, 0)) return;
+    if (!movable(this.#session, 0)) return;
     actions.add(this.#session, (pixel && this.#floorUnder(pixel, false)) ?? undefined);
   }
 
@@ -196,7 +195,7 @@ export class Hands implements SceneHands {
   /** The top of the room: as high as the highest anchor, where that is above the floor. */
   #top(): number {
     const { ground, whole } = this.#look.frame;
-    const highest = Math.max(...this.#session.scenario.anchors.map((anchor) => lift(anchor)[2]));
+    const highest = Math.max(...this.#session.room.anchors.map((anchor) => lift(anchor)[2]));
     return highest > ground ? highest : whole[1][2];
   }
 
@@ -206,7 +205,7 @@ export class Hands implements SceneHands {
   }
 
   #body(): Vec3 {
-    return bodyPosition(this.#session.scenario, this.#session.run, this.#workspace.timeline.step);
+    return bodyPosition(this.#session.room, this.#session.run, this.#workspace.timeline.step);
   }
 
   #bodyUnder(pixel: Pixel): Vec3 | null {

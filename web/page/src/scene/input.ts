@@ -1,5 +1,5 @@
+import type { Room, SceneDocument } from "../family";
 import type { LabRun } from "../lab";
-import type { Scenario } from "../scenario";
 import type { Handle } from "../state/handles";
 import type { Thing } from "../state/things";
 import type { Palette } from "../theme/palette";
@@ -15,8 +15,9 @@ export interface UncertaintyShown {
 }
 
 /** Everything a layer of the scene may look at. */
-export interface SceneInput<R extends LabRun = LabRun> {
-  readonly scenario: Scenario;
+export interface SceneInput<R extends LabRun = LabRun, S extends SceneDocument = SceneDocument> {
+  readonly scenario: S;
+  readonly room: Room;
   readonly run: R | null;
   readonly step: number;
   /** The step under the pointer in a plot, or null. */
@@ -36,7 +37,10 @@ export interface SceneInput<R extends LabRun = LabRun> {
 }
 
 /** Adds its shapes to the picture. */
-export type Layer<R extends LabRun = LabRun> = (input: SceneInput<R>, out: DrawList) => void;
+export type Layer<R extends LabRun = LabRun, S extends SceneDocument = SceneDocument> = (
+  input: SceneInput<R, S>,
+  out: DrawList,
+) => void;
 
 /** A text that stays beside a point of the scene. */
 export interface Label {

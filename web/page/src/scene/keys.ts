@@ -39,7 +39,7 @@ export class KeyControl {
   #act(action: SceneAction, shift: boolean): void {
     const { session, look, hands } = this;
     if (action.kind === "camera") return look.set(action.camera);
-    if (action.kind === "choose" && action.index < session.scenario.anchors.length)
+    if (action.kind === "choose" && action.index < session.room.anchors.length)
       return actions.select(session, [action.index]);
     if (action.kind === "next") return actions.selectNext(session, action.by);
     if (action.kind === "nudge") {

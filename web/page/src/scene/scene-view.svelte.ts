@@ -29,7 +29,7 @@ export class SceneView {
   }
 
   get planar(): boolean {
-    return this.#session.scenario.dimension === 2;
+    return this.#session.room.dimension === 2;
   }
 
   /** What a new scene is seen like first. */
@@ -73,13 +73,13 @@ export class SceneView {
   }
 
   #body(): Vec3 {
-    return bodyPosition(this.#session.scenario, this.#session.run, this.#timeline.step);
+    return bodyPosition(this.#session.room, this.#session.run, this.#timeline.step);
   }
 
   #fitted(subject: Subject, direction: Direction): Camera {
-    const { scenario, run } = this.#session;
+    const { room, run } = this.#session;
     this.subject = subject;
-    this.frame = frameOf(scenario, run, subject, this.#timeline.step);
+    this.frame = frameOf(room, run, subject, this.#timeline.step);
     this.#followed = this.#body();
     return fit(this.frame.points, direction, this.viewport, this.inset());
   }

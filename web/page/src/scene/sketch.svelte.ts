@@ -1,5 +1,5 @@
 import { coordinateStep, roundTo } from "../state/edit";
-import type { Scenario } from "../scenario";
+import type { SceneDocument } from "../family";
 import type { Drawing } from "../state/handles";
 import type { Session } from "../state/session.svelte";
 import type { Vec3 } from "./geometry";
@@ -12,7 +12,7 @@ export class Sketch {
   #begin: Vec3 | null = $state.raw(null);
   #end: Vec3 | null = $state.raw(null);
   /** The scenario without the new thing, and the handle by which that is chosen, while it is dragged. */
-  #without: Scenario | null = null;
+  #without: SceneDocument | null = null;
   #handle: string | null = null;
   readonly #session: Session;
 
@@ -60,9 +60,9 @@ export class Sketch {
   show(from: Vec3, to: Vec3, top: number): void {
     if (!this.drawing) return;
     this.#without ??= this.#session.scenario;
-    const { dimension } = this.#without;
-    const step = coordinateStep(this.#without);
-    const rounded = (place: Vec3) => place.slice(0, dimension).map((value) => roundTo(value, step));
+    const room = this.#session.lab.family.room(this.#without);
+    const step = coordinateStep(room);
+    const rounded = (place: Vec3) => place.slice(0, room.dimension).map((value) => roundTo(value, step));
     const made = this.drawing.make(this.#without, rounded(this.#begin ?? from), rounded([to[0], to[1], top]));
     this.#handle = made.handle;
     this.#session.preview(made.what, made.scenario);

@@ -1,6 +1,5 @@
-import * as engine from "../engine";
+import type { SceneDocument } from "../family";
 import { type Lab, labOf } from "../lab";
-import type { Scenario } from "../scenario";
 import { decodeLink } from "./link";
 
 /** No scenario is this long; a film dropped by mistake is not read into memory. */
@@ -10,24 +9,36 @@ const MAX_FILE_BYTES = 1024 * 1024;
 export class DocumentError extends Error {}
 
 /** The scenario a document from outside holds; `source` names it in sentences: “This link”, “The file room.json”. */
-export function readDocument(document: unknown, source: string, labs: readonly Lab[]): Scenario {
-  const [problem] = engine.validate(document);
+export async function readDocument(
+  document: unknown,
+  source: string,
+  labs: readonly Lab[],
+): Promise<SceneDocument> {
+  const lab = labFor(document, source, labs);
+  await lab.family.load?.().catch((error: unknown) => {
+    throw new DocumentError(notLoaded(lab, error));
+  });
+  const [problem] = lab.family.validate(document);
   if (problem) throw new DocumentError(`${source} holds a scenario that does not work: ${problem.message}.`);
-  const scenario = engine.complete(document);
-  if (!labOf(scenario, labs))
-    throw new DocumentError(
-      `${source} is for the lab “${scenario.view?.["lab"]}”, which this page does not have.`,
-    );
-  return scenario;
+  return lab.family.complete(document);
+}
+
+/** What is no document at all goes to the first lab: its engine says what is wrong with it. */
+function labFor(document: unknown, source: string, labs: readonly Lab[]): Lab {
+  if (typeof document !== "object" || document === null) return labs[0];
+  const lab = labOf(document, labs);
+  if (lab) return lab;
+  const { view } = document as Partial<SceneDocument>;
+  throw new DocumentError(`${source} is for the lab “${view?.["lab"]}”, which this page does not have.`);
 }
 
 /** The scenario of a link, `#v1.…`. */
-export async function readLink(hash: string, labs: readonly Lab[]): Promise<Scenario> {
+export async function readLink(hash: string, labs: readonly Lab[]): Promise<SceneDocument> {
   return readDocument(await decodeLink(hash), "This link", labs);
 }
 
 /** The scenario of a JSON text. */
-export function readText(text: string, source: string, labs: readonly Lab[]): Scenario {
+export async function readText(text: string, source: string, labs: readonly Lab[]): Promise<SceneDocument> {
   let document: unknown;
   try {
     document = JSON.parse(text);
@@ -47,4 +58,9 @@ export async function textOf(file: File): Promise<string> {
 
 export function sentenceOf(error: unknown): string {
   return error instanceof Error ? error.message : String(error);
+}
+
+/** Why a lab is not there. */
+export function notLoaded(lab: Lab, error: unknown): string {
+  return `The lab ${lab.title} could not be loaded (${sentenceOf(error).replace(/\.$/, "")}).`;
 }

@@ -1,23 +1,24 @@
 import { getContext, setContext } from "svelte";
-import type { Scenario } from "../scenario";
+import type { SceneDocument } from "../family";
+import type { LabRun } from "../lab";
 import { differsAt, valueAt, withValue } from "./path";
 import type { Session } from "./session.svelte";
 
 /** The values of the scenario as controls show and change them: by path, beside those of the preset. */
-export class Editing {
-  readonly #session: Session;
+export class Editing<S extends SceneDocument = SceneDocument> {
+  readonly #session: Session<LabRun, S>;
   readonly #name = $derived.by(() => this.#session.scenario.name);
   /** The preset that the scenario started from: what values are reset to. Null for a scenario of one's own. */
-  readonly reference: Scenario | null = $derived.by(() => {
+  readonly reference: S | null = $derived.by(() => {
     const { lab } = this.#session;
-    return lab.presets().some((entry) => entry.name === this.#name) ? lab.preset(this.#name) : null;
+    return lab.presets().some((entry) => entry.name === this.#name) ? (lab.preset(this.#name) as S) : null;
   });
 
-  constructor(session: Session) {
+  constructor(session: Session<LabRun, S>) {
     this.#session = session;
   }
 
-  get scenario(): Scenario {
+  get scenario(): S {
     return this.#session.scenario;
   }
 
@@ -39,7 +40,7 @@ export class Editing {
     return this.apply(what, withValue(this.scenario, path, value));
   }
 
-  apply(what: string, next: Scenario): boolean {
+  apply(what: string, next: S): boolean {
     return this.#session.edit(what, next);
   }
 
@@ -60,7 +61,7 @@ export class Editing {
   reset(what: string, paths: readonly string[]): void {
     const { reference } = this;
     if (reference === null) return;
-    const back = (next: Scenario, path: string) => withValue(next, path, valueAt(reference, path));
+    const back = (next: S, path: string) => withValue(next, path, valueAt(reference, path));
     this.apply(`${what} reset`, paths.reduce(back, this.scenario));
   }
 }
@@ -71,6 +72,7 @@ export function provideEditing(session: Session): Editing {
   return setContext(KEY, new Editing(session));
 }
 
-export function useEditing(): Editing {
+/** A lab's own controls know what its documents are: `useEditing<Scenario>()`. */
+export function useEditing<S extends SceneDocument = SceneDocument>(): Editing<S> {
   return getContext(KEY);
 }

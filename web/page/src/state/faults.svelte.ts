@@ -1,5 +1,5 @@
 import { version } from "../../package.json";
-import type { Scenario } from "../scenario";
+import type { SceneDocument } from "../family";
 import { sentenceOf } from "./document";
 import { encodeLink } from "./link";
 
@@ -20,7 +20,7 @@ export class Faults {
 }
 
 /** What a maintainer needs: the scenario as a link, the browser, the version, the error. */
-export async function reportOf(error: unknown, scenario: Scenario): Promise<string> {
+export async function reportOf(error: unknown, scenario: SceneDocument): Promise<string> {
   return [
     `rangelab ${version}`,
     `Scenario: ${location.href.split("#")[0]}${await encodeLink(scenario)}`,

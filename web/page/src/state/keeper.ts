@@ -1,4 +1,4 @@
-import type { Scenario } from "../scenario";
+import type { SceneDocument } from "../family";
 import { encodeLink } from "./link";
 import { keep } from "./storage";
 
@@ -9,23 +9,23 @@ const ADDRESS_DELAY_MILLISECONDS = 250;
 
 /** Keeps the scenario where it outlives the page: in the browser's storage at once, in the address a moment later. */
 export class Keeper {
-  #latest: Scenario | null = null;
+  #latest: SceneDocument | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
   /** After an edit. Each tab keeps its own scene in its address; the storage has the one edited last. */
-  edited(scenario: Scenario): void {
+  edited(scenario: SceneDocument): void {
     keep(AUTOSAVE, JSON.stringify(scenario));
     this.shown(scenario);
   }
 
   /** After a scene came up that nobody edited here: only the address names it. */
-  shown(scenario: Scenario): void {
+  shown(scenario: SceneDocument): void {
     this.#latest = scenario;
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => void this.#write(scenario), ADDRESS_DELAY_MILLISECONDS);
   }
 
-  async #write(scenario: Scenario): Promise<void> {
+  async #write(scenario: SceneDocument): Promise<void> {
     const link = await encodeLink(scenario);
     if (scenario === this.#latest) history.replaceState(null, "", link);
   }

@@ -1,5 +1,3 @@
-import type { Scenario } from "../scenario";
-
 /** Values of a scenario by path, written as the engine's problems write them: `motion.velocity[0]`. */
 
 type Key = string | number;
@@ -12,13 +10,13 @@ function keysOf(path: string): Key[] {
 }
 
 /** What stands at the path; undefined where the scenario has no such place. */
-export function valueAt(scenario: Scenario, path: string): unknown {
+export function valueAt(scenario: object, path: string): unknown {
   return keysOf(path).reduce<unknown>((part, key) => (part as Record<Key, unknown> | null)?.[key], scenario);
 }
 
 /** The scenario with another value at the path; all else is shared with the old one. */
-export function withValue(scenario: Scenario, path: string, value: unknown): Scenario {
-  return replaced(scenario, keysOf(path), value) as Scenario;
+export function withValue<S extends object>(scenario: S, path: string, value: unknown): S {
+  return replaced(scenario, keysOf(path), value) as S;
 }
 
 function replaced(part: unknown, [key, ...rest]: Key[], value: unknown): unknown {
@@ -30,7 +28,7 @@ function replaced(part: unknown, [key, ...rest]: Key[], value: unknown): unknown
 }
 
 /** Whether any of the paths holds another value in the one than in the other. */
-export function differsAt(one: Scenario, other: Scenario, paths: readonly string[]): boolean {
+export function differsAt(one: object, other: object, paths: readonly string[]): boolean {
   return paths.some((path) => !same(valueAt(one, path), valueAt(other, path)));
 }
 

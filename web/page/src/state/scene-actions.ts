@@ -1,7 +1,7 @@
 import { formatNumber, formatPoint } from "../controls/format";
-import type { Scenario } from "../scenario";
-import { lowerFirst } from "../words";
-import { addAnchors, coordinateStep, newAnchorPosition, removeAnchors, roundTo } from "./edit";
+import type { Room } from "../family";
+import { lowerFirst, startOf } from "../words";
+import { coordinateStep, newAnchorPosition, roundTo } from "./edit";
 import type { Session } from "./session.svelte";
 import type { Handle } from "./handles";
 import {
@@ -23,20 +23,20 @@ import {
 
 const AXES = ["x", "y", "z"] as const;
 
-export function axesOf(scenario: Scenario): readonly string[] {
-  return AXES.slice(0, scenario.dimension);
+export function axesOf({ dimension }: Pick<Room, "dimension">): readonly string[] {
+  return AXES.slice(0, dimension);
 }
 
 /** A tenth of a room-sized coordinate: what an arrow key or a button adds. */
-export function coarseStep(scenario: Scenario): number {
-  return 10 * coordinateStep(scenario);
+export function coarseStep(room: Pick<Room, "anchors">): number {
+  return 10 * coordinateStep(room);
 }
 
 /** The chosen things that may be moved, and where they are. */
 export function movablePlaces(session: Session): Places {
   return placesOf(
     session,
-    session.selected.filter((thing) => movable(session.scenario, thing)),
+    session.selected.filter((thing) => movable(session, thing)),
   );
 }
 
@@ -57,20 +57,20 @@ export function toggle(session: Session, thing: Thing): void {
 /** Through the anchors and the handles, and round again. */
 export function selectNext(session: Session, by: 1 | -1): void {
   const handles = handlesOf(session).map(({ id }) => id);
-  const all: Thing[] = [...session.scenario.anchors.keys(), ...handles];
+  const all: Thing[] = [...session.room.anchors.keys(), ...handles];
   const last = session.selected.at(-1);
   const from = last === undefined ? (by > 0 ? -1 : all.length) : all.indexOf(last);
   select(session, [all[(from + by + all.length) % all.length]]);
 }
 
 export function selectAll(session: Session): void {
-  select(session, [...session.scenario.anchors.keys()]);
+  select(session, [...session.room.anchors.keys()]);
 }
 
 /** Part of a drag or of a held key: everything moves by `shift` from where it was; `session.commit` ends it. */
 export function shiftBy(session: Session, places: Places, shift: readonly number[]): void {
   if (places.size === 0) return;
-  const scenario = putAt(session, shifted(places, shift, coordinateStep(session.scenario)));
+  const scenario = putAt(session, shifted(places, shift, coordinateStep(session.room)));
   session.preview(moveSentence({ scenario, lab: session.lab }, [...places.keys()]), scenario);
 }
 
@@ -79,7 +79,7 @@ export function nudge(session: Session, direction: readonly number[], fine: bool
   if (places.size === 0) return false;
   const along = direction.slice(0, centroid(places).length);
   if (along.every((value) => value === 0)) return false;
-  const step = fine ? coordinateStep(session.scenario) : coarseStep(session.scenario);
+  const step = fine ? coordinateStep(session.room) : coarseStep(session.room);
   shiftBy(
     session,
     places,
@@ -100,7 +100,7 @@ export function place(session: Session, things: readonly Thing[], axis: number, 
   );
   const scenario = putAt(session, moved);
   const now = centroid(placesOf({ scenario, lab: session.lab }, things))[axis];
-  const what = `${nameOf(session, things)}: ${AXES[axis]} set to ${formatNumber(now)} m${onto(session.scenario, moved)}`;
+  const what = `${nameOf(session, things)}: ${AXES[axis]} set to ${formatNumber(now)} m${onto(session, moved)}`;
   return session.edit(what, scenario);
 }
 
@@ -115,43 +115,41 @@ export function moveTo(session: Session, point: readonly number[]): boolean {
 
 /** Adds an anchor at a point, or where it helps to be seen. */
 export function add(session: Session, point?: readonly number[]): void {
-  const { scenario } = session;
-  if (!movable(scenario, 0)) return;
-  const step = coordinateStep(scenario);
-  const at =
-    point?.slice(0, scenario.dimension).map((value) => roundTo(value, step)) ?? newAnchorPosition(scenario);
-  if (
-    session.edit(
-      `Anchor ${scenario.anchors.length + 1} added at ${formatPoint(at)}`,
-      addAnchors(scenario, [at]),
-    )
-  )
-    session.selected = [scenario.anchors.length];
+  if (!movable(session, 0)) return;
+  const { room, lab } = session;
+  const step = coordinateStep(room);
+  const at = point?.slice(0, room.dimension).map((value) => roundTo(value, step)) ?? newAnchorPosition(room);
+  const name = `${startOf(lab.family.anchor)} ${room.anchors.length + 1}`;
+  addAll(session, `${name} added at ${formatPoint(at)}`, [at]);
 }
 
 /** Copies of the chosen anchors, one coarse step beside them. */
 export function duplicate(session: Session): void {
-  const { scenario } = session;
+  const { room } = session;
   const chosen = anchorsOf(session);
-  if (chosen.length === 0 || !movable(scenario, chosen[0])) return;
-  const beside = axesOf(scenario).map((_, axis) => (axis === 0 ? 5 * coarseStep(scenario) : 0));
-  const copies = [...shifted(placesOf(session, chosen), beside, coordinateStep(scenario)).values()];
-  const what = `${nameOf(session, chosen)} duplicated`;
-  if (session.edit(what, addAnchors(scenario, copies)))
-    session.selected = copies.map((_, i) => scenario.anchors.length + i);
+  if (chosen.length === 0 || !movable(session, chosen[0])) return;
+  const beside = axesOf(room).map((_, axis) => (axis === 0 ? 5 * coarseStep(room) : 0));
+  const copies = [...shifted(placesOf(session, chosen), beside, coordinateStep(room)).values()];
+  addAll(session, `${nameOf(session, chosen)} duplicated`, copies);
+}
+
+/** Adds anchors and chooses them. */
+function addAll(session: Session, what: string, places: readonly (readonly number[])[]): void {
+  const { scenario, lab, room } = session;
+  const next = lab.family.withAnchors(scenario, [...room.anchors, ...places]);
+  if (session.edit(what, next)) session.selected = places.map((_, i) => room.anchors.length + i);
 }
 
 export function remove(session: Session, indices: readonly number[]): void {
-  const { scenario } = session;
-  if (indices.length === 0 || !movable(scenario, indices[0])) return;
-  if (session.edit(`${nameOf(session, indices)} removed`, removeAnchors(scenario, indices)))
-    session.selected = [];
+  if (indices.length === 0 || !movable(session, indices[0])) return;
+  const next = session.lab.family.withoutAnchors(session.scenario, indices);
+  if (session.edit(`${nameOf(session, indices)} removed`, next)) session.selected = [];
 }
 
 /** Removes the anchors among what is chosen, and the boxes and walls that have a handle there. */
 export function removeChosen(session: Session): void {
-  const { scenario } = session;
-  const anchors = movable(scenario, 0) ? anchorsOf(session) : [];
+  const { scenario, lab } = session;
+  const anchors = movable(session, 0) ? anchorsOf(session) : [];
   const wholes = wholesOf(session);
   if (anchors.length + wholes.length === 0) return;
   const names = [
@@ -161,8 +159,9 @@ export function removeChosen(session: Session): void {
   const what = new Intl.ListFormat("en-GB").format(
     names.map((name, i) => (i === 0 ? name : lowerFirst(name))),
   );
+  const kept = anchors.length > 0 ? lab.family.withoutAnchors(scenario, anchors) : scenario;
   // From the last: those before it keep their numbers.
-  const without = wholes.reduceRight((next, whole) => whole.without(next), removeAnchors(scenario, anchors));
+  const without = wholes.reduceRight((next, whole) => whole.without(next), kept);
   if (session.edit(`${what} removed`, without)) session.selected = [];
 }
 
@@ -176,14 +175,4 @@ export function wholesOf(session: Session): NonNullable<Handle["whole"]>[] {
   const chosen = handlesOf(session).filter(({ id }) => session.selected.includes(id));
   const wholes = chosen.flatMap(({ whole }) => whole ?? []);
   return wholes.filter(({ name }, index) => wholes.findIndex((other) => other.name === name) === index);
-}
-
-/** Makes the anchors that this trial drew the scenario's own. */
-export function keepDrawn(session: Session): void {
-  const anchors = session.run?.anchors ?? session.scenario.anchors;
-  session.edit("Anchors kept as this trial drew them", {
-    ...session.scenario,
-    anchors,
-    redraw_anchors: null,
-  });
 }

@@ -1,16 +1,16 @@
 import * as engine from "../engine";
+import type { Room, SceneDocument } from "../family";
 import { forLab, type Lab, labOf, type LabRun } from "../lab";
-import type { Scenario } from "../scenario";
 import { lowerFirst } from "../words";
-import { readLink, readText, sentenceOf, textOf } from "./document";
+import { notLoaded, readLink, readText, sentenceOf, textOf } from "./document";
 import { scheduleCompute } from "./frames";
 import { History } from "./history";
 import { Keeper } from "./keeper";
 import { LabLoader } from "./lab-loader.svelte";
 import { existing, type Thing } from "./things";
 
-interface Entry {
-  scenario: Scenario;
+interface Entry<S> {
+  scenario: S;
   /** What the edit that led here did, as the start of a sentence: "Anchor 2 moved". */
   what: string;
 }
@@ -19,11 +19,13 @@ interface Entry {
 const MOST_TRAPS = 3;
 
 /** The state everybody reads: the scenario, its lab and run, what is wrong, what changed. Edits go through here. */
-export class Session<R extends LabRun = LabRun> {
+export class Session<R extends LabRun = LabRun, S extends SceneDocument = SceneDocument> {
   readonly labs: readonly Lab[];
-  scenario: Scenario = $state.raw()!;
+  scenario: S = $state.raw()!;
   /** The lab that the scenario is for. */
   lab: Lab = $state.raw()!;
+  /** What stands in the scene, whatever kind of document it is. */
+  readonly room: Room = $derived.by(() => this.lab.family.room(this.scenario));
   run: R | null = $state.raw(null);
   /** Why the engine has no run for the scenario; the last good one stays. */
   failure: string | null = $state(null);
@@ -44,19 +46,19 @@ export class Session<R extends LabRun = LabRun> {
   /** Counts runs of scenarios that replaced the whole scene (preset, link): the camera then fits again. */
   opened = $state(0);
   readonly #keeper = new Keeper();
-  #history: History<Entry>;
+  #history: History<Entry<S>>;
   /** The scenario of the last run. */
-  #good: Scenario | null = null;
+  #good: S | null = null;
   /** How often in a row the engine broke. */
   #traps = 0;
   /** The last scene of each lab one has been in. */
-  #left: Record<string, Scenario> = {};
+  #left: Record<string, S> = {};
   #pendingWhat: string | null = "Ready";
   #pendingFit = false;
   /** What came from outside while a drag was going on; it waits until that ends. */
   #waiting: (() => void) | null = null;
 
-  constructor(scenario: Scenario, labs: readonly Lab[]) {
+  constructor(scenario: S, labs: readonly Lab[]) {
     this.labs = labs;
     this.#history = new History({ scenario, what: "Opened" });
     this.scenario = scenario;
@@ -72,7 +74,7 @@ export class Session<R extends LabRun = LabRun> {
   }
 
   /** Shows an edit in progress; `commit` makes it one entry of the history. */
-  preview(what: string, next: Scenario): void {
+  preview(what: string, next: S): void {
     this.#history.preview({ scenario: next, what });
     this.#show();
   }
@@ -92,13 +94,13 @@ export class Session<R extends LabRun = LabRun> {
   }
 
   /** One edit, or the last state of the one in progress. */
-  edit(what: string, next: Scenario): boolean {
+  edit(what: string, next: S): boolean {
     this.#history.preview({ scenario: next, what });
     return this.commit();
   }
 
   /** An edit that replaces the scene as a whole. */
-  open(what: string, next: Scenario): boolean {
+  open(what: string, next: S): boolean {
     this.selected = [];
     const accepted = this.edit(what, next);
     this.#pendingFit ||= accepted;
@@ -109,7 +111,7 @@ export class Session<R extends LabRun = LabRun> {
   openPreset(name: string): boolean {
     const entry = this.lab.presets().find((candidate) => candidate.name === name);
     if (!entry) return false;
-    const scenario = forLab(this.lab.preset(name), this.lab, this.labs);
+    const scenario = forLab(this.lab.preset(name), this.lab, this.labs) as S;
     return this.open(`Preset “${entry.title}” opened`, scenario);
   }
 
@@ -120,8 +122,8 @@ export class Session<R extends LabRun = LabRun> {
 
   #openLab(lab: Lab): void {
     this.#left[this.lab.name] = this.scenario;
-    const kept = lab.family !== undefined && lab.family === this.lab.family;
-    const scenario = kept ? this.scenario : (this.#left[lab.name] ?? lab.preset(lab.firstPreset));
+    const kept = lab.family === this.lab.family;
+    const scenario = kept ? this.scenario : (this.#left[lab.name] ?? (lab.preset(lab.firstPreset) as S));
     this.open(`Lab ${lab.title} opened`, forLab(scenario, lab, this.labs));
   }
 
@@ -152,11 +154,11 @@ export class Session<R extends LabRun = LabRun> {
     if (redone) this.#travel(`Done again: ${lowerFirst(redone.what)}`);
   }
 
-  async #openFrom(source: string, read: () => Promise<Scenario>): Promise<void> {
+  async #openFrom(source: string, read: () => Promise<SceneDocument>): Promise<void> {
     try {
       const scenario = await read();
       const lab = labOf(scenario, this.labs) ?? this.lab;
-      this.#withLab(lab, () => this.open(`Scenario opened from ${source}`, scenario));
+      this.#withLab(lab, () => this.open(`Scenario opened from ${source}`, scenario as S));
     } catch (error) {
       this.#afterGesture(() => this.refuse(`${sentenceOf(error)} The scene stays as it was.`));
     }
@@ -177,7 +179,7 @@ export class Session<R extends LabRun = LabRun> {
     const { lab } = this;
     const standIn = (error: unknown) => {
       const [first] = this.labs;
-      this.#history = new History({ scenario: first.preset(first.firstPreset), what: "Opened" });
+      this.#history = new History({ scenario: first.preset(first.firstPreset) as S, what: "Opened" });
       this.#show();
       // The address stays: the page can be loaded anew from it.
       this.refusal = `${notLoaded(lab, error)} The default scene is shown instead; reload the page to try again.`;
@@ -224,7 +226,8 @@ export class Session<R extends LabRun = LabRun> {
   /** What is wrong with the scenario; an engine that breaks over the question is asked again by the next run. */
   #problem(): engine.Complaint | undefined {
     try {
-      return engine.validate(this.#history.present.scenario)[0];
+      const { scenario } = this.#history.present;
+      return (labOf(scenario, this.labs) ?? this.lab).family.validate(scenario)[0];
     } catch (error) {
       void this.#recover(error);
       return undefined;
@@ -289,7 +292,8 @@ export class Session<R extends LabRun = LabRun> {
 
   #retreat(): void {
     this.#history.discard();
-    const good = this.#good ?? forLab(this.lab.preset(this.lab.firstPreset), this.lab, this.labs);
+    const { lab } = this;
+    const good = this.#good ?? (forLab(lab.preset(lab.firstPreset), lab, this.labs) as S);
     if (this.#history.present.scenario !== good)
       this.#history.edit({ scenario: good, what: "Back to a scene the engine can compute" });
     this.#show();
@@ -305,8 +309,4 @@ export class Session<R extends LabRun = LabRun> {
     this.announcement = `${this.#pendingWhat}.`;
     this.#pendingWhat = null;
   }
-}
-
-function notLoaded(lab: Lab, error: unknown): string {
-  return `The lab ${lab.title} could not be loaded (${sentenceOf(error).replace(/\.$/, "")}).`;
 }

@@ -1,4 +1,5 @@
 import { beforeEach, expect, test, vi } from "vitest";
+import type { Family } from "../family";
 import type { Lab } from "../lab";
 import type { Scenario } from "../scenario";
 import { Session } from "./session.svelte";
@@ -35,12 +36,19 @@ vi.stubGlobal("history", { replaceState: () => undefined });
 const scenario = (seed: number) =>
   ({ name: "a", seed, anchors: [], sensors: [], view: null }) as unknown as Scenario;
 
+async function familyOf(name: string): Promise<Family> {
+  const { complete, validate } = await import("../engine");
+  const room = () => ({ dimension: 3, anchors: [], movable: true, start: [0, 0, 0], body: [] });
+  return { name, validate, complete, room, claims: () => true } as unknown as Family;
+}
+
 async function labs(): Promise<Lab[]> {
   const { track } = await import("../engine");
   return [
     {
       name: "one",
       title: "One",
+      family: await familyOf("body"),
       firstPreset: "first",
       presets: () => [{ name: "first", title: "First", summary: "" }],
       preset: () => scenario(0),
@@ -141,9 +149,9 @@ test("a first scene that breaks the engine gives way to the preset, and a hopele
 
 test("a lab of the same family takes the scene along, another one opens a scene of its own", async () => {
   const [one] = await labs();
-  const cousin = { ...one, name: "cousin", family: "body" } as Lab;
-  const stranger = { ...one, name: "stranger" } as Lab;
-  const session = new Session(scenario(7), [{ ...one, family: "body" } as Lab, cousin, stranger]);
+  const cousin = { ...one, name: "cousin" };
+  const stranger = { ...one, name: "stranger", family: await familyOf("other") };
+  const session = new Session(scenario(7), [one, cousin, stranger]);
   session.openLab(cousin);
   expect([session.lab.name, session.scenario.seed]).toEqual(["cousin", 7]);
   session.edit("Seed set to 8", { ...session.scenario, seed: 8 });
@@ -160,9 +168,8 @@ async function withLateLab() {
   let come!: () => void;
   let fail!: (error: Error) => void;
   const load = () => new Promise<void>((resolve, reject) => ([come, fail] = [resolve, reject]));
-  const first = { ...one, family: "body" } as Lab;
-  const late = { ...one, name: "late", title: "Late", family: "body", load } as Lab;
-  return { all: [first, late], late, come: () => come(), fail: () => fail(new Error("No network.")) };
+  const late = { ...one, name: "late", title: "Late", load };
+  return { all: [one, late], late, come: () => come(), fail: () => fail(new Error("No network.")) };
 }
 
 test("a lab that has to be loaded opens with the scene as it is then", async () => {

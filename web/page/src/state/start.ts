@@ -1,5 +1,5 @@
+import type { SceneDocument } from "../family";
 import type { Lab } from "../lab";
-import type { Scenario } from "../scenario";
 import { readLink, readText, sentenceOf } from "./document";
 import { AUTOSAVE } from "./keeper";
 import { Session } from "./session.svelte";
@@ -7,7 +7,7 @@ import { forget, recall } from "./storage";
 
 /** The session a visit starts with: the link's scene, else the last one of this browser, else the first preset. */
 export async function startSession(hash: string, labs: readonly Lab[]): Promise<Session> {
-  const kept = readKept(labs);
+  const kept = await readKept(labs);
   const scenario = kept.scenario ?? labs[0].preset(labs[0].firstPreset);
   if (hash.length > 1) {
     try {
@@ -24,16 +24,16 @@ export async function startSession(hash: string, labs: readonly Lab[]): Promise<
 }
 
 interface Kept {
-  scenario: Scenario | null;
+  scenario: SceneDocument | null;
   /** Why what was kept cannot be used. */
   sentence: string | null;
 }
 
-function readKept(labs: readonly Lab[]): Kept {
+async function readKept(labs: readonly Lab[]): Promise<Kept> {
   const text = recall(AUTOSAVE);
   if (text === null) return { scenario: null, sentence: null };
   try {
-    const scenario = readText(text, "The scene kept from your last visit", labs);
+    const scenario = await readText(text, "The scene kept from your last visit", labs);
     return { scenario: isFirst(scenario, labs) ? null : scenario, sentence: null };
   } catch (error) {
     forget(AUTOSAVE);
@@ -42,7 +42,7 @@ function readKept(labs: readonly Lab[]): Kept {
 }
 
 /** Nothing is restored where the last scene is the one that opens anyway. */
-function isFirst(scenario: Scenario, labs: readonly Lab[]): boolean {
+function isFirst(scenario: SceneDocument, labs: readonly Lab[]): boolean {
   return JSON.stringify(scenario) === JSON.stringify(labs[0].preset(labs[0].firstPreset));
 }
 

@@ -1,4 +1,4 @@
-import type { Scenario } from "../scenario";
+import type { SceneDocument } from "../family";
 import { InOrder } from "../workers/in-order";
 import type { Block, Sums } from "../workers/messages";
 import type { PoolListener } from "../workers/pool";
@@ -23,20 +23,20 @@ export interface Averages {
 }
 
 /** What a study is of. */
-export interface StudySubject<A extends Averages = Averages> {
-  readonly scenario: Scenario;
+export interface StudySubject<A extends Averages = Averages, S extends SceneDocument = SceneDocument> {
+  readonly scenario: S;
   /** The same key, the same numbers. */
   readonly key: string;
   readonly plan: StudyPlan;
   /** A coarser study of the same, soon done: for scenarios that a drag leaves behind. Without one the study itself. */
-  readonly sketch?: StudySubject<A>;
+  readonly sketch?: StudySubject<A, S>;
   block(firstTrial: number, trials: number): Block;
   openSum(): SumLike<A>;
 }
 
 /** Averages over trials, and what they are averages of. */
-export interface StudyPicture<A extends Averages = Averages> {
-  readonly scenario: Scenario;
+export interface StudyPicture<A extends Averages = Averages, S extends SceneDocument = SceneDocument> {
+  readonly scenario: S;
   readonly averages: A;
 }
 

@@ -1,4 +1,5 @@
 import { expect, test } from "vitest";
+import { rigidBody } from "../rigid-body/family";
 import type { Scenario } from "../scenario";
 import type { Handle } from "./handles";
 import { existing, middleOf, moveSentence, nameOf, placeOf, putAt, type Thing } from "./things";
@@ -10,13 +11,18 @@ const scenario = {
     [4, 0, 2],
   ],
   start: { position: [1, 1, 1], orientation: [] },
+  redraw_anchors: null,
+  sensors: [],
+  availability: { max_ranges: [] },
+  placement: { fixed: [] },
   lamp: [2, 3],
 } as unknown as Scenario;
 
 type WithLamp = Scenario & { lamp: readonly number[] };
 /** Stays left of x = 5. */
 const lab = {
-  handles: (of: Scenario): Handle[] => [
+  family: rigidBody,
+  handles: (of: Scenario): Handle<Scenario>[] => [
     {
       id: "lamp",
       name: "Lamp",
@@ -78,5 +84,5 @@ test("the middle of things has a height where one of them has", () => {
 test("what another lab or an older scenario has is not chosen any more", () => {
   const chosen = [1, "lamp", "start"];
   expect(existing(things, chosen)).toBe(chosen);
-  expect(existing({ scenario, lab: {} }, [...chosen, 7])).toEqual([1, "start"]);
+  expect(existing({ scenario, lab: { family: rigidBody } }, [...chosen, 7])).toEqual([1, "start"]);
 });

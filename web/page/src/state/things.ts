@@ -1,8 +1,8 @@
 import { formatPoint } from "../controls/format";
-import type { Scenario } from "../scenario";
-import { lowerFirst } from "../words";
+import type { Family, Room, SceneDocument } from "../family";
+import { lowerFirst, startOf } from "../words";
 import { roundTo } from "./edit";
-import { type Handle, startHandle } from "./handles";
+import type { Handle } from "./handles";
 
 /** What one can choose and move in the scene: an anchor by its index, or a handle by its id. */
 export type Thing = number | string;
@@ -11,18 +11,23 @@ export type Thing = number | string;
 export type Places = ReadonlyMap<Thing, readonly number[]>;
 
 /** The scenario whose things they are, and the lab that knows its handles. */
-export interface Things {
-  readonly scenario: Scenario;
-  readonly lab: { handles?(scenario: Scenario): readonly Handle[] };
+export interface Things<S extends SceneDocument = SceneDocument> {
+  readonly scenario: S;
+  readonly lab: { readonly family: Family<S>; handles?(scenario: S): readonly Handle<S>[] };
 }
 
-/** What can be moved beside the anchors: the start of the body first. */
-export function handlesOf({ scenario, lab }: Things): readonly Handle[] {
-  return [startHandle(scenario), ...(lab.handles?.(scenario) ?? [])];
+export function roomOf({ scenario, lab }: Things): Room {
+  return lab.family.room(scenario);
+}
+
+/** What can be moved beside the anchors: the start of the body first, where it can. */
+export function handlesOf<S extends SceneDocument>({ scenario, lab }: Things<S>): readonly Handle<S>[] {
+  const start = lab.family.startHandle?.(scenario);
+  return [...(start ? [start] : []), ...(lab.handles?.(scenario) ?? [])];
 }
 
 export function placeOf(things: Things, thing: Thing): readonly number[] {
-  if (typeof thing === "number") return things.scenario.anchors[thing];
+  if (typeof thing === "number") return roomOf(things).anchors[thing];
   return handlesOf(things).find(({ id }) => id === thing)?.place ?? [];
 }
 
@@ -34,28 +39,27 @@ export function placesOf(things: Things, chosen: Iterable<Thing>): Places {
 export function existing(things: Things, chosen: readonly Thing[]): readonly Thing[] {
   if (chosen.length === 0) return chosen;
   const handles = handlesOf(things);
+  const { anchors } = roomOf(things);
   const there = chosen.filter((thing) =>
-    typeof thing === "number"
-      ? thing < things.scenario.anchors.length
-      : handles.some(({ id }) => id === thing),
+    typeof thing === "number" ? thing < anchors.length : handles.some(({ id }) => id === thing),
   );
   return there.length === chosen.length ? chosen : there;
 }
 
 /** Anchors that are drawn anew for every trial cannot be moved. */
-export function movable(scenario: Scenario, thing: Thing): boolean {
-  return typeof thing === "string" || scenario.redraw_anchors === null;
+export function movable(things: Things, thing: Thing): boolean {
+  return typeof thing === "string" || roomOf(things).movable;
 }
 
 /** Twice over the handles: a corner stops at the opposite one, which may have been about to go on. */
-export function putAt(things: Things, places: Places): Scenario {
-  const { scenario } = things;
-  const anchors = scenario.anchors.map((anchor, index) => [...(places.get(index) ?? anchor)]);
+export function putAt<S extends SceneDocument>(things: Things<S>, places: Places): S {
+  const { scenario, lab } = things;
+  const anchors = roomOf(things).anchors.map((anchor, index) => [...(places.get(index) ?? anchor)]);
   const moved = handlesOf(things).filter(({ id }) => places.has(id));
-  return [...moved, ...moved].reduce((next, handle) => handle.move(next, places.get(handle.id)!), {
-    ...scenario,
-    anchors,
-  });
+  return [...moved, ...moved].reduce(
+    (next, handle) => handle.move(next, places.get(handle.id)!),
+    lab.family.withAnchors(scenario, anchors),
+  );
 }
 
 /** All places moved the same way, rounded to `step`. */
@@ -82,8 +86,9 @@ export function nameOf(things: Things, chosen: readonly Thing[]): string {
   const anchors = chosen.filter((thing) => typeof thing === "number");
   const handles = handlesOf(things).filter(({ id }) => chosen.includes(id));
   const many = `${handles.length} handles`;
+  const noun = things.lab.family.anchor;
   if (anchors.length === 0) return handles.length === 1 ? handles[0].name : many;
-  const name = anchors.length === 1 ? `Anchor ${anchors[0] + 1}` : `${anchors.length} anchors`;
+  const name = anchors.length === 1 ? `${startOf(noun)} ${anchors[0] + 1}` : `${anchors.length} ${noun}s`;
   if (handles.length === 0) return name;
   return `${name} and ${handles.length === 1 ? lowerFirst(handles[0].name) : many}`;
 }
@@ -92,17 +97,19 @@ export function nameOf(things: Things, chosen: readonly Thing[]): string {
 export function moveSentence(things: Things, moved: readonly Thing[]): string {
   const places = placesOf(things, moved);
   if (moved.length > 1) return `${nameOf(things, moved)} moved, now around ${formatPoint(centroid(places))}`;
-  return `${nameOf(things, moved)} moved to ${formatPoint(centroid(places))}${onto(things.scenario, places)}`;
+  return `${nameOf(things, moved)} moved to ${formatPoint(centroid(places))}${onto(things, places)}`;
 }
 
 /** What it means that an anchor now stands where there is one already; empty where there is none. */
-export function onto(scenario: Scenario, places: Places): string {
+export function onto(things: Things, places: Places): string {
+  const { anchors } = roomOf(things);
+  const noun = things.lab.family.anchor;
   for (const [thing, place] of places) {
     if (typeof thing === "string") continue;
-    const under = scenario.anchors.findIndex(
+    const under = anchors.findIndex(
       (anchor, index) => !places.has(index) && anchor.every((value, axis) => value === place[axis]),
     );
-    if (under >= 0) return `, onto anchor ${under + 1}: together they count as one better anchor`;
+    if (under >= 0) return `, onto ${noun} ${under + 1}: together they count as one better ${noun}`;
   }
   return "";
 }

@@ -1,5 +1,6 @@
 import { getContext, setContext } from "svelte";
 import { MediaQuery } from "svelte/reactivity";
+import type { SceneDocument } from "../family";
 import type { Lab, LabRun } from "../lab";
 import type { Ray } from "../scene/view";
 import {
@@ -26,7 +27,7 @@ const dark = new MediaQuery("prefers-color-scheme: dark");
 const NO_TIMES = new Float64Array();
 
 /** What every part of the frame shares: the scenario, its lab and run, the time cursor, the looks. */
-export class Workspace<R extends LabRun = LabRun> {
+export class Workspace<R extends LabRun = LabRun, S extends SceneDocument = SceneDocument> {
   readonly timeline: Timeline = new Timeline(() => this.session.run?.times ?? NO_TIMES);
   readonly layout = new Layout();
   readonly exports = new Exports();
@@ -65,7 +66,7 @@ export class Workspace<R extends LabRun = LabRun> {
   }
 
   constructor(
-    readonly session: Session<R>,
+    readonly session: Session<R, S>,
     themeChoice: ThemeChoice,
   ) {
     this.themeChoice = themeChoice;
@@ -88,7 +89,10 @@ export function provideWorkspace(workspace: Workspace): Workspace {
   return setContext(KEY, workspace);
 }
 
-/** A lab's own parts know what its runs are: `useWorkspace<Run>()`. */
-export function useWorkspace<R extends LabRun = LabRun>(): Workspace<R> {
+/** A lab's own parts know what its runs and documents are: `useWorkspace<Run, Scenario>()`. */
+export function useWorkspace<R extends LabRun = LabRun, S extends SceneDocument = SceneDocument>(): Workspace<
+  R,
+  S
+> {
   return getContext(KEY);
 }

@@ -1,21 +1,22 @@
 import type { FigureOrder } from "../figure";
+import type { SceneDocument } from "../family";
 import type { NextPlace } from "../generated/NextPlace";
 import type { RangeNoise, Scenario } from "../scenario";
 
 /** Trials that one worker runs at a time. */
-export interface Block {
-  readonly scenario: Scenario;
+export interface Block<S extends SceneDocument = SceneDocument> {
+  readonly scenario: S;
   readonly firstTrial: number;
   readonly trials: number;
 }
 
 /** Trials that one worker runs at each noise of a sweep. */
-export interface SweepBlock extends Block {
+export interface SweepBlock extends Block<Scenario> {
   readonly sweep: readonly RangeNoise[];
 }
 
 /** Trials that one worker runs at each threshold of the ET-KF. */
-export interface BudgetBlock extends Block {
+export interface BudgetBlock extends Block<Scenario> {
   readonly thresholds: Float64Array;
 }
 

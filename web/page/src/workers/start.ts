@@ -1,4 +1,11 @@
-import { type EngineModule, exploreModule, figuresModule, localizeModule, trackModule } from "../engine";
+import {
+  type EngineModule,
+  exploreModule,
+  figuresModule,
+  indoorModule,
+  localizeModule,
+  trackModule,
+} from "../engine";
 import type { Improvement } from "../generated/Improvement";
 import type { BestNext, Block, FieldRows, FigureJob, RowValues, Scene, Search, Sums } from "./messages";
 import type { PoolWorker } from "./pool";
@@ -29,6 +36,13 @@ export function startSweepWorker(): PoolWorker<Block, Sums> {
   return loaded(
     new Worker(new URL("./sweep-worker.ts", import.meta.url), { type: "module", name: "sweep" }),
     localizeModule,
+  );
+}
+
+export function startIndoorWorker(): PoolWorker<Block, Sums> {
+  return loaded(
+    new Worker(new URL("./indoor-worker.ts", import.meta.url), { type: "module", name: "indoor" }),
+    indoorModule,
   );
 }
 

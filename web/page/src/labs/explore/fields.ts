@@ -1,3 +1,4 @@
+import type { LabRun } from "../../lab";
 import { DEGREES_PER_RADIAN } from "../../controls/format";
 import { fieldLayout, fieldRows } from "../../engine";
 import type { Scenario } from "../../scenario";
@@ -30,7 +31,7 @@ const scale = new SteadyScale();
 export function picture({
   scenario,
   palette,
-}: Pick<SceneInput, "scenario" | "palette">): FieldPicture | null {
+}: Pick<SceneInput<LabRun, Scenario>, "scenario" | "palette">): FieldPicture | null {
   const { field } = fields;
   if (field === null) return null;
   const opacity = Number(palette.css("field-opacity"));

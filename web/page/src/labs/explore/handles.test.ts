@@ -1,10 +1,11 @@
 import { describe, expect, test } from "vitest";
+import { rigidBody } from "../../rigid-body/family";
 import type { Scenario } from "../../scenario";
 import { putAt, type Thing } from "../../state/things";
 import { drawings } from "./drawings";
 import { handles } from "./handles";
 
-const lab = { handles };
+const lab = { family: rigidBody, handles };
 const wall = { kind: "wall" as const, from: [1, 0], to: [1, 4], bottom: null, top: 2 };
 
 function scene(change: Partial<Scenario> = {}): Scenario {

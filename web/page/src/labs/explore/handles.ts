@@ -6,7 +6,7 @@ import { startOf } from "../../words";
 import { obstacleBoxPart, type Part, placementParts, wallPart } from "./parts";
 
 /** The ends and corners of walls and boxes, each whole by its middle. */
-export function handles(scenario: Scenario): Handle[] {
+export function handles(scenario: Scenario): Handle<Scenario>[] {
   return [
     ...placementParts(scenario).flatMap((part) => boxHandles(part, scenario)),
     ...scenario.availability.obstacles.flatMap(({ kind }, index) =>
@@ -20,10 +20,10 @@ export function middleOf(part: { readonly id: string }): string {
   return `${part.id} middle`;
 }
 
-type Move = Handle["move"];
+type Move = Handle<Scenario>["move"];
 
 /** The middle comes first: where it is moved together with corners, those then find the box beside them. */
-function boxHandles(part: Part<Region>, scenario: Scenario): Handle[] {
+function boxHandles(part: Part<Region>, scenario: Scenario): Handle<Scenario>[] {
   const { low, high } = part.of(scenario);
   const moveLow: Move = (next, place) => {
     const [box, gap] = [part.of(next), coordinateStep(next)];
@@ -58,7 +58,7 @@ function footOf({ low, high }: Region): number[] {
 }
 
 /** A wall stays at its height. */
-function wallHandles(part: ReturnType<typeof wallPart>, scenario: Scenario): Handle[] {
+function wallHandles(part: ReturnType<typeof wallPart>, scenario: Scenario): Handle<Scenario>[] {
   const { from, to, bottom } = part.of(scenario);
   const moveAll: Move = (next, place) => {
     const wall = part.of(next);
@@ -90,7 +90,7 @@ function handle<T>(
   mark: Handle["mark"],
   place: readonly number[],
   move: Move,
-): Handle {
+): Handle<Scenario> {
   return {
     id: `${part.id} ${which}`,
     name: `${startOf(part.name)}, ${which}`,

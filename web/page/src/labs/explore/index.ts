@@ -1,5 +1,7 @@
 import { exploreModule, preset, presets } from "../../engine";
 import type { Lab } from "../../lab";
+import { rigidBody } from "../../rigid-body/family";
+import type { Scenario } from "../../scenario";
 import { axisLabels } from "../../rigid-body/layers";
 import { anchorLabels, anchors } from "../../scene/anchors";
 import { handleLabels, handles as handleMarks } from "../../scene/handles";
@@ -20,11 +22,11 @@ import { sizePlot } from "./size-plot";
 import { describe, note, told } from "./told";
 
 /** Where anchors should stand: the bound as a landscape, and what the geometry cannot see. */
-export const lab: Lab<ExploreRun> = {
+export const lab: Lab<ExploreRun, Scenario> = {
   name: "explore",
   title: "Explore",
   order: 3,
-  family: "rigid body",
+  family: rigidBody,
   load: () => exploreModule.load(),
   presets,
   preset,

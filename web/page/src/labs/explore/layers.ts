@@ -1,3 +1,4 @@
+import type { Scenario } from "../../scenario";
 import type { ExploreRun } from "./run";
 import { bodyRadius, drawnPlaces, drawnPosition, drawnSensors, hullOfSensors } from "../../rigid-body/drawn";
 import { drawBody, drawRanges } from "../../rigid-body/layers";
@@ -12,18 +13,18 @@ import { type Motion, motionOf, turned } from "./motion";
 import { boundsAt, pointUnder } from "./probe.svelte";
 
 /** A line for each range: dashed where the anchor is too far away or does not see the sensor. */
-export const ranges: Layer<ExploreRun> = (input, out) => {
+export const ranges: Layer<ExploreRun, Scenario> = (input, out) => {
   const { run } = input;
   if (run)
     drawRanges(input, run, (anchor, sensor) => run.exploration.available[anchor]?.[sensor] ?? true, out);
 };
 
-export const body: Layer<ExploreRun> = (input, out) => {
+export const body: Layer<ExploreRun, Scenario> = (input, out) => {
   if (input.run) drawBody(input, input.run, out);
 };
 
 /** Where the sensors may sit on the body: a dot for each and each of some trials. */
-export const mounting: Layer<ExploreRun> = (input, out) => {
+export const mounting: Layer<ExploreRun, Scenario> = (input, out) => {
   const { run, scenario, palette } = input;
   if (!run) return;
   const color = palette.rgba("truth", 0.5);
@@ -32,7 +33,7 @@ export const mounting: Layer<ExploreRun> = (input, out) => {
 };
 
 /** The bounds of the pose: an ellipsoid of the position, fans of the axes. */
-export const bounds: Layer<ExploreRun> = (input, out) => {
+export const bounds: Layer<ExploreRun, Scenario> = (input, out) => {
   const { run, palette, uncertainty, frame } = input;
   if (!run) return;
   const { position_covariance: position, rotation_covariance_in_world: rotation } = run.exploration;
@@ -43,26 +44,26 @@ export const bounds: Layer<ExploreRun> = (input, out) => {
 };
 
 /** Lines of equal bound, with round numbers in the unit that is shown. */
-export const contours: Layer<ExploreRun> = (input, out) => {
+export const contours: Layer<ExploreRun, Scenario> = (input, out) => {
   const field = picture(input);
   if (field) fieldContours(input, out, field, unitOf(input.scenario).factor);
 };
 
-export function contourLabels(input: SceneInput<ExploreRun>): Label[] {
+export function contourLabels(input: SceneInput<ExploreRun, Scenario>): Label[] {
   const field = picture(input);
   const { unit, factor } = unitOf(input.scenario);
   return field ? fieldContourLabels(field, factor, unit) : [];
 }
 
 /** How the motion that is seen least is drawn; null where there is none. */
-export function weakestMotion({ run, scenario, frame }: SceneInput<ExploreRun>): Motion | null {
+export function weakestMotion({ run, scenario, frame }: SceneInput<ExploreRun, Scenario>): Motion | null {
   const mode = run?.exploration.modes[0];
   if (!mode) return null;
   return motionOf(mode, bodyRadius(scenario), (0.5 * frame.radius) / frame.magnification);
 }
 
 /** The body moved along the motion that is seen least, to both sides. */
-export const ghosts: Layer<ExploreRun> = (input, out) => {
+export const ghosts: Layer<ExploreRun, Scenario> = (input, out) => {
   const { run, scenario, palette, frame } = input;
   const motion = weakestMotion(input);
   if (!run || !motion) return;
@@ -81,7 +82,12 @@ export const ghosts: Layer<ExploreRun> = (input, out) => {
 };
 
 /** From each sensor to where the motion takes it. */
-function paths(input: SceneInput<ExploreRun>, run: ExploreRun, moved: readonly Vec3[], out: Out): void {
+function paths(
+  input: SceneInput<ExploreRun, Scenario>,
+  run: ExploreRun,
+  moved: readonly Vec3[],
+  out: Out,
+): void {
   const color = input.palette.rgba("accent", 0.5);
   drawnSensors(input, run, run.truth, 0).forEach((sensor, index) =>
     out.line(sensor, moved[index], { width: 1, color }),
@@ -89,7 +95,7 @@ function paths(input: SceneInput<ExploreRun>, run: ExploreRun, moved: readonly V
 }
 
 /** The other body that all ranges fit: around its own middle as much larger as the true one. */
-export const twin: Layer<ExploreRun> = (input, out) => {
+export const twin: Layer<ExploreRun, Scenario> = (input, out) => {
   const { run, palette, frame } = input;
   const sensors = run?.exploration.twin?.sensors.map(lift);
   if (!sensors) return;
@@ -100,7 +106,7 @@ export const twin: Layer<ExploreRun> = (input, out) => {
 };
 
 /** Where the field is read by the pointer, and the ellipsoid of the position there. */
-export const reading: Layer<ExploreRun> = (input, out) => {
+export const reading: Layer<ExploreRun, Scenario> = (input, out) => {
   const { scenario, palette, uncertainty } = input;
   const point = pointUnder(input.ray, fields.field, scenario.dimension);
   if (!point) return;
@@ -120,7 +126,7 @@ export const reading: Layer<ExploreRun> = (input, out) => {
 type Out = Parameters<Layer>[1];
 
 function outline(
-  { scenario }: SceneInput<ExploreRun>,
+  { scenario }: SceneInput<ExploreRun, Scenario>,
   sensors: readonly Vec3[],
   style: Parameters<Out["line"]>[2],
   out: Out,

@@ -2,7 +2,7 @@ import { formatPoint } from "../../controls/format";
 import { nextAt } from "../../engine";
 import type { NextPlace } from "../../generated/NextPlace";
 import type { Scenario } from "../../scenario";
-import { addAnchors } from "../../state/edit";
+import { addAnchors } from "../../rigid-body/anchor-edits";
 import { formatValue } from "./placement";
 
 /** What a field shows: a bound of the body, or what one more anchor would be worth. */

@@ -1,3 +1,4 @@
+import type { Scenario } from "../../scenario";
 import type { Obstacle } from "../../generated/Obstacle";
 import type { DrawList } from "../../scene/draw-list";
 import type { Frame } from "../../scene/frame";
@@ -9,7 +10,7 @@ import type { ExploreRun } from "./run";
 type Face = readonly Vec3[];
 
 /** What blocks lines of sight: edges, and faces one sees through. */
-export const obstacles: Layer<ExploreRun> = ({ scenario, frame, palette }, out) => {
+export const obstacles: Layer<ExploreRun, Scenario> = ({ scenario, frame, palette }, out) => {
   const line = { width: 1.5, color: palette.rgba("ink-soft", 0.8) };
   for (const obstacle of scenario.availability.obstacles) {
     for (const face of facesOf(obstacle, frame)) {

@@ -1,3 +1,4 @@
+import type { Scenario } from "../../scenario";
 import { cross, length, lift, scale, type Vec3 } from "../../scene/geometry";
 import type { Label, Layer, SceneInput } from "../../scene/input";
 import { facesOf } from "./obstacles";
@@ -9,7 +10,7 @@ import type { ExploreRun } from "./run";
 const LONGEST = 0.22;
 
 /** Where each anchor should go: against the slope of what the adviser makes small. */
-export const downhill: Layer<ExploreRun> = ({ run, scenario, frame, palette }, out) => {
+export const downhill: Layer<ExploreRun, Scenario> = ({ run, scenario, frame, palette }, out) => {
   if (!run || scenario.redraw_anchors !== null) return;
   const style = { width: 2.5, color: palette.rgba("accent"), overlay: true };
   downhillOf(run.advice, scenario.placement.fixed).forEach((arrow, index) => {
@@ -27,7 +28,7 @@ function beside(vector: Vec3): Vec3 {
 }
 
 /** Where anchors may stand and may not, and where the body may be. */
-export const boxes: Layer<ExploreRun> = ({ scenario, palette, frame }, out) => {
+export const boxes: Layer<ExploreRun, Scenario> = ({ scenario, palette, frame }, out) => {
   for (const part of placementParts(scenario)) {
     const style = { width: 1, dash: part.dash, color: palette.rgba(part.token, 0.9) };
     for (const face of facesOf({ kind: "box", ...part.of(scenario) }, frame))
@@ -36,7 +37,7 @@ export const boxes: Layer<ExploreRun> = ({ scenario, palette, frame }, out) => {
 };
 
 /** The name of each box and wall at one of its upper corners. */
-export function partLabels({ scenario, frame }: SceneInput<ExploreRun>): Label[] {
+export function partLabels({ scenario, frame }: SceneInput<ExploreRun, Scenario>): Label[] {
   const boxes = placementParts(scenario).map((part) => nameOf(part, lift(part.of(scenario).high)));
   const obstacles = scenario.availability.obstacles.map((obstacle, index) => {
     if (obstacle.kind === "box") return nameOf(obstacleBoxPart(index), lift(obstacle.high));

@@ -1,3 +1,4 @@
+import type { Scenario } from "../../scenario";
 import { DEGREES_PER_RADIAN, formatNumber, formatReading } from "../../controls/format";
 import type { Exploration } from "../../generated/Exploration";
 import { toldMounting } from "../../rigid-body/mounting";
@@ -23,7 +24,7 @@ export function hiddenFrom({ cause, twin }: Pick<Exploration, "cause" | "twin">)
 }
 
 /** What the ghost is, what the dots are, and which lines are dashed. */
-export function note(input: SceneInput<ExploreRun>): string {
+export function note(input: SceneInput<ExploreRun, Scenario>): string {
   const { run } = input;
   if (!run) return "";
   const { missing, all } = missingRanges(run.exploration);
@@ -32,7 +33,7 @@ export function note(input: SceneInput<ExploreRun>): string {
   return [ghostOf(input), ...clouds, ...ranges].filter((part) => part !== "").join("; ");
 }
 
-function ghostOf(input: SceneInput<ExploreRun>): string {
+function ghostOf(input: SceneInput<ExploreRun, Scenario>): string {
   const motion = weakestMotion(input);
   if (!motion) return "";
   if (motion.times === null) return "Ghost (blue): the motion that no range sees";
@@ -49,7 +50,7 @@ export function missingRanges({ available }: Pick<Exploration, "available">): {
 }
 
 /** The scene in words. */
-export function told(input: SceneInput<ExploreRun>): string[] {
+export function told(input: SceneInput<ExploreRun, Scenario>): string[] {
   const { run, scenario } = input;
   if (!run) return [];
   const { exploration } = run;

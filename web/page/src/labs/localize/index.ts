@@ -1,5 +1,7 @@
 import { localizeModule, preset, presets } from "../../engine";
 import type { Lab } from "../../lab";
+import { rigidBody } from "../../rigid-body/family";
+import type { Scenario } from "../../scenario";
 import { axisLabels } from "../../rigid-body/layers";
 import { anchorLabels, anchors } from "../../scene/anchors";
 import { ground, groundLabels } from "../../scene/ground";
@@ -12,11 +14,11 @@ import { study, ZETAS } from "./sweep";
 import { describe, note, told } from "./told";
 
 /** The pose from the ranges of one epoch: clouds of estimates, and their errors over the noise. */
-export const lab: Lab<LocalizeRun> = {
+export const lab: Lab<LocalizeRun, Scenario> = {
   name: "localize",
   title: "Localize",
   order: 2,
-  family: "rigid body",
+  family: rigidBody,
   load: () => localizeModule.load(),
   presets,
   preset,

@@ -1,3 +1,4 @@
+import type { Scenario } from "../../scenario";
 import { axesOf, axisLength, drawnPosition, drawnSensors, hullOfSensors } from "../../rigid-body/drawn";
 import { drawBody, drawRanges } from "../../rigid-body/layers";
 import { matrixAt, pointAt, type PoseTrack } from "../../run";
@@ -12,16 +13,16 @@ import type { LocalizeRun } from "./run";
 const DOT = 1.75;
 const DOT_OPACITY = 0.6;
 
-export const ranges: Layer<LocalizeRun> = (input, out) => {
+export const ranges: Layer<LocalizeRun, Scenario> = (input, out) => {
   if (input.run) drawRanges(input, input.run, () => true, out);
 };
 
-export const body: Layer<LocalizeRun> = (input, out) => {
+export const body: Layer<LocalizeRun, Scenario> = (input, out) => {
   if (input.run) drawBody(input, input.run, out);
 };
 
 /** For each trial a dot where the body is estimated to be, and one at the tip of each of its axes. */
-export const clouds: Layer<LocalizeRun> = (input, out) => {
+export const clouds: Layer<LocalizeRun, Scenario> = (input, out) => {
   const { run, uncertainty } = input;
   for (const cloud of run?.clouds ?? []) {
     if (uncertainty.position) positions(input, cloud, out);
@@ -29,7 +30,11 @@ export const clouds: Layer<LocalizeRun> = (input, out) => {
   }
 };
 
-function positions({ run, frame, palette }: SceneInput<LocalizeRun>, cloud: Cloud, out: DrawList): void {
+function positions(
+  { run, frame, palette }: SceneInput<LocalizeRun, Scenario>,
+  cloud: Cloud,
+  out: DrawList,
+): void {
   if (!run) return;
   const { token } = lookOf(cloud.name);
   const color = palette.rgba(token, DOT_OPACITY);
@@ -41,7 +46,7 @@ function positions({ run, frame, palette }: SceneInput<LocalizeRun>, cloud: Clou
 }
 
 /** Around the true axes: what the position does not hide. A tip that a mirrored body has is a ring. */
-function tips(input: SceneInput<LocalizeRun>, cloud: Cloud, out: DrawList): void {
+function tips(input: SceneInput<LocalizeRun, Scenario>, cloud: Cloud, out: DrawList): void {
   const { run, frame, palette } = input;
   if (!run) return;
   const color = palette.rgba(lookOf(cloud.name).token, DOT_OPACITY);
@@ -61,7 +66,7 @@ function tips(input: SceneInput<LocalizeRun>, cloud: Cloud, out: DrawList): void
 }
 
 /** The estimates of the trial drawn, as bodies; dashed where they mirror it. */
-export const estimates: Layer<LocalizeRun> = (input, out) => {
+export const estimates: Layer<LocalizeRun, Scenario> = (input, out) => {
   const { run, palette, frame } = input;
   if (!run) return;
   run.estimates.forEach(({ estimate, pose }, index) => {
@@ -75,7 +80,7 @@ export const estimates: Layer<LocalizeRun> = (input, out) => {
 };
 
 /** For each localizer that mirrors the body in other trials than the one drawn: the first such body, dashed. */
-export const mirrored: Layer<LocalizeRun> = (input, out) => {
+export const mirrored: Layer<LocalizeRun, Scenario> = (input, out) => {
   const { run } = input;
   if (!run) return;
   for (const cloud of unseenMirrors(run)) {
@@ -94,7 +99,7 @@ export function unseenMirrors({ clouds, estimates }: LocalizeRun): Cloud[] {
 }
 
 function outline(
-  input: SceneInput<LocalizeRun>,
+  input: SceneInput<LocalizeRun, Scenario>,
   pose: PoseTrack,
   token: string,
   width: number,

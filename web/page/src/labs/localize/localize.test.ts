@@ -112,7 +112,7 @@ describe("the sweep", () => {
     expect(Math.abs(ratio - 1)).toBeLessThan(3 / Math.sqrt(2 * 150));
     expect(line("ouc-ls").values[0]).toBeGreaterThan(100);
     const edit = orientation.x.edit!(37.4);
-    expect(edit.scenario.noise).toEqual({ kind: "toa", zeta_db: 37 });
+    expect((edit.scenario as Scenario).noise).toEqual({ kind: "toa", zeta_db: 37 });
     expect(edit.what).toBe("ζ set to 37 dB");
   });
 });

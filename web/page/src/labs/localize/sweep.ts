@@ -29,7 +29,7 @@ export function zetasBy(step: number): Float64Array {
 
 export const ZETAS = zetasBy(FINE_STEP_DB);
 
-export const study: LabStudy<LocalizeRun, SweepAverages> = {
+export const study: LabStudy<LocalizeRun, SweepAverages, Scenario> = {
   always: true,
   subject(scenario, run) {
     const range = medianRange({ ...run, anchors: scenario.anchors });
@@ -45,7 +45,7 @@ function subjectOf(
   range: number,
   step: number,
   plan: StudyPlan,
-): StudySubject<SweepAverages> {
+): StudySubject<SweepAverages, Scenario> {
   const zetas = zetasBy(step);
   const sweep = [...zetas].map((zeta): RangeNoise => noiseBelow(scenario.noise.kind, range, zeta));
   return {

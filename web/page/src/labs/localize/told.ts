@@ -66,7 +66,7 @@ function failing({ report, snapshot }: LocalizeRun): string {
 }
 
 /** How to read the scene. */
-export function note({ run, uncertainty, scenario }: SceneInput<LocalizeRun>): string {
+export function note({ run, uncertainty, scenario }: SceneInput<LocalizeRun, Scenario>): string {
   if (!run) return "";
   const [dots, tips] = [uncertainty.position, uncertainty.orientation];
   const of = [...(dots ? ["positions"] : []), ...(tips ? ["tips of the axes"] : [])].join(" and ");
@@ -84,7 +84,7 @@ export function note({ run, uncertainty, scenario }: SceneInput<LocalizeRun>): s
 }
 
 /** The scene in words. */
-export function told({ run, scenario }: SceneInput<LocalizeRun>): string[] {
+export function told({ run, scenario }: SceneInput<LocalizeRun, Scenario>): string[] {
   if (!run) return [];
   return [
     ...run.snapshot.estimators.map(({ name, errors, reflected, failure }) => {

@@ -1,9 +1,10 @@
+import type { Scenario } from "../../scenario";
 import type { Run } from "../../run";
 import type { Layer } from "../../scene/input";
 import { drawnSensors, hullOfSensors } from "../../rigid-body/drawn";
 
 /** Where the body truly is at the step under the pointer in a plot. */
-export const ghost: Layer<Run> = (input, out) => {
+export const ghost: Layer<Run, Scenario> = (input, out) => {
   const { run, pointedStep, palette, scenario } = input;
   if (!run || pointedStep === null) return;
   const sensors = drawnSensors(input, run, run.truth, pointedStep);

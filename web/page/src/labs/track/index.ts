@@ -1,6 +1,8 @@
 import { preset, presets, track } from "../../engine";
 import type { Lab } from "../../lab";
 import type { Run } from "../../run";
+import { rigidBody } from "../../rigid-body/family";
+import type { Scenario } from "../../scenario";
 import { axisLabels } from "../../rigid-body/layers";
 import { anchorLabels, anchors } from "../../scene/anchors";
 import { ground, groundLabels } from "../../scene/ground";
@@ -18,11 +20,11 @@ import { describe } from "./sentence";
 import { MARKS } from "../../theme/palette";
 
 /** Tracking a rigid body through time: the estimators side by side, with their bounds. */
-export const lab: Lab<Run> = {
+export const lab: Lab<Run, Scenario> = {
   name: "track",
   title: "Track",
   order: 1,
-  family: "rigid body",
+  family: rigidBody,
   presets,
   preset,
   firstPreset: "room",

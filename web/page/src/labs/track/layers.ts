@@ -1,3 +1,4 @@
+import type { Scenario } from "../../scenario";
 import { type Run, runsAt } from "../../run";
 import type { Layer } from "../../scene/input";
 import { MARKS } from "../../theme/palette";
@@ -5,7 +6,7 @@ import { drawnPosition, drawnSensors, hullOfSensors, pathOf } from "../../rigid-
 import { drawBody, drawRanges } from "../../rigid-body/layers";
 
 /** A line for each range: full where it was measured, dashed and fainter where it is missing at this step. */
-export const ranges: Layer<Run> = (input, out) => {
+export const ranges: Layer<Run, Scenario> = (input, out) => {
   const { run, step, scenario } = input;
   if (!run) return;
   const [M, N] = [run.anchors.length, scenario.sensors.length];
@@ -13,7 +14,7 @@ export const ranges: Layer<Run> = (input, out) => {
   drawRanges(input, run, (anchor, sensor) => run.present[(step * M + anchor) * N + sensor] === 1, out);
 };
 
-export const truth: Layer<Run> = (input, out) => {
+export const truth: Layer<Run, Scenario> = (input, out) => {
   const { run, step, palette, frame } = input;
   if (!run) return;
   const path = pathOf(run, run.truth, frame.magnification);
@@ -22,7 +23,7 @@ export const truth: Layer<Run> = (input, out) => {
   drawBody(input, run, out);
 };
 
-export const estimates: Layer<Run> = (input, out) => {
+export const estimates: Layer<Run, Scenario> = (input, out) => {
   const { run, step, palette, frame, scenario } = input;
   if (!run) return;
   const { edges } = hullOfSensors(scenario.sensors);

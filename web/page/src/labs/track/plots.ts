@@ -3,7 +3,7 @@ import { type PlotLine, type PlotSpec, type Threshold, timeAxis } from "../../pl
 import { type BoundRun, type EstimatorRun, type Run, runsAt } from "../../run";
 import type { Scenario } from "../../scenario";
 import { MARKS } from "../../theme/palette";
-import { neesBands, nisBands } from "./consistency-bands";
+import { neesBands, nisBands } from "../../plots/consistency-bands";
 
 /** The bounds that are shown, most telling first; the unprojected one belongs to the estimator on unprojected ranges. */
 const SHOWN_BOUNDS = ["posterior_crb", "posterior_crb_raw", "linear_posterior_crb"];

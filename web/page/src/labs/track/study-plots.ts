@@ -13,7 +13,7 @@ import {
   settledNis,
   shownOf,
 } from "./plots";
-import { neesBands, nisBands } from "./consistency-bands";
+import { neesBands, nisBands } from "../../plots/consistency-bands";
 
 /** The plots of one run as averages over trials, each against the bound with the same definition. */
 export function studyPlots(times: Float64Array, study: StudyCurves): PlotSpec[] {

@@ -1,3 +1,4 @@
+import type { Scenario } from "../../scenario";
 import { StudySum } from "../../engine";
 import type { LabStudy } from "../../lab";
 import type { Run } from "../../run";
@@ -14,7 +15,7 @@ export interface TrackAverages extends StudyCurves {
   readonly times: Float64Array;
 }
 
-export const study: LabStudy<Run, TrackAverages> = {
+export const study: LabStudy<Run, TrackAverages, Scenario> = {
   always: false,
   subject: (scenario, { times }) => ({
     scenario,

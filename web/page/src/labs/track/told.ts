@@ -1,3 +1,4 @@
+import type { Scenario } from "../../scenario";
 import { DEGREES_PER_RADIAN, formatNumber, formatPoint, formatReading } from "../../controls/format";
 import { type EstimatorRun, matrixAt, pointAt, type Run, runsAt } from "../../run";
 import { axisAngle } from "../../scene/axis-angle";
@@ -5,20 +6,20 @@ import { toldMounting } from "../../rigid-body/mounting";
 import type { SceneInput } from "../../scene/input";
 
 /** Ranges that were not measured at the step shown. */
-export function missingRanges({ run, step }: SceneInput<Run>): { missing: number; all: number } {
+export function missingRanges({ run, step }: SceneInput<Run, Scenario>): { missing: number; all: number } {
   if (!run) return { missing: 0, all: 0 };
   const all = run.present.length / run.steps;
   const here = run.present.subarray(step * all, (step + 1) * all);
   return { missing: here.reduce((count, present) => count + 1 - present, 0), all };
 }
 
-export function note(input: SceneInput<Run>): string {
+export function note(input: SceneInput<Run, Scenario>): string {
   const { missing, all } = missingRanges(input);
   return missing === 0 ? "" : `${missing} of ${all} ranges missing at this step: dashed`;
 }
 
 /** The body and its estimates at the step shown, in words. */
-export function told(input: SceneInput<Run>): string[] {
+export function told(input: SceneInput<Run, Scenario>): string[] {
   const { run, scenario, step } = input;
   if (!run) return [];
   const { missing, all } = missingRanges(input);

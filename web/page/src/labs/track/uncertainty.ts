@@ -1,11 +1,12 @@
 import { drawnPosition } from "../../rigid-body/drawn";
 import { drawBoundFans, drawEllipsoid, fansOf } from "../../rigid-body/uncertainty";
 import { type Run, runsAt } from "../../run";
+import type { Scenario } from "../../scenario";
 import type { Layer } from "../../scene/input";
 import { shownBounds } from "./plots";
 
 /** The 95 % ellipsoids of the position: what each estimator claims, and the bound as a full one. */
-export const ellipsoids: Layer<Run> = (input, out) => {
+export const ellipsoids: Layer<Run, Scenario> = (input, out) => {
   const { run, step, palette, frame, uncertainty } = input;
   if (!run || !uncertainty.position) return;
   for (const estimator of run.estimators.filter((entry) => runsAt(entry, step))) {
@@ -19,7 +20,7 @@ export const ellipsoids: Layer<Run> = (input, out) => {
 };
 
 /** The 95 % fans of the axes: the bound's around the true ones as a filled cone, each estimator's as a ring. */
-export const fans: Layer<Run> = (input, out) => {
+export const fans: Layer<Run, Scenario> = (input, out) => {
   const { run, step, palette, uncertainty } = input;
   if (!run || !uncertainty.orientation) return;
   const [bound] = shownBounds(run);

@@ -2,7 +2,7 @@ import { beforeAll, expect, test } from "vitest";
 import { preset, studyBlock, StudySum } from "../../engine";
 import { loadEngineForTests } from "../../engine/testing";
 import type { Curve, EstimatorCurves } from "../../study";
-import { nisBands } from "./consistency-bands";
+import { nisBands } from "../../plots/consistency-bands";
 import { neesVerdict, nisVerdict } from "./verdicts";
 
 beforeAll(loadEngineForTests);

@@ -1,7 +1,7 @@
 import { formatReading } from "../../controls/format";
 import type { Curve, EstimatorCurves, StudyCurves } from "../../study";
 import { joined } from "../../words";
-import { meanBand } from "./consistency-bands";
+import { meanBand } from "../../plots/consistency-bands";
 import { settledNis } from "./plots";
 
 /** How likely a picture of consistent filters is to say anything. */

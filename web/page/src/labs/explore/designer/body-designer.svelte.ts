@@ -31,9 +31,9 @@ export class BodyDesigner {
   #grab: Grab | null = $state.raw(null);
   /** The bounds before the last change, and the scenario that this change made. */
   #compared: { before: Bounds; scenario: Scenario } | null = $state.raw(null);
-  readonly #session: Session<ExploreRun>;
+  readonly #session: Session<ExploreRun, Scenario>;
 
-  constructor(session: Session<ExploreRun>) {
+  constructor(session: Session<ExploreRun, Scenario>) {
     this.#session = session;
   }
 

@@ -37,7 +37,7 @@ function bench(
       return this.commit();
     },
   };
-  const designer = new BodyDesigner(session as unknown as Session<ExploreRun>);
+  const designer = new BodyDesigner(session as unknown as Session<ExploreRun, Scenario>);
   return { designer, session, past };
 }
 

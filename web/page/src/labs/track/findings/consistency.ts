@@ -2,7 +2,7 @@ import { chiSquaredInterval } from "../../../engine";
 import { formatReading } from "../../../controls/format";
 import type { EstimatorRun } from "../../../run";
 import { joined } from "../../../words";
-import type { Finding } from "./index";
+import type { Finding } from "../../../findings";
 
 /** How likely a consistent filter is to be told wrongly: once in a thousand steps on either side. */
 const CONSISTENT = 0.998;

@@ -2,7 +2,7 @@ import { DEGREES_PER_RADIAN, formatReading } from "../../../controls/format";
 import { type BoundRun, type EstimatorRun, matrixAt, type Run, runsAt } from "../../../run";
 import { eventSteps } from "../plots";
 import { asSentence, countOf, joined } from "../../../words";
-import type { Finding } from "./index";
+import type { Finding } from "../../../findings";
 
 /** Estimators that gave up, with the reason of the first. */
 export function stopped(run: Run, step: number): Finding | null {

@@ -2,7 +2,7 @@ import { formatNumber, formatReading } from "../../../controls/format";
 import type { Run } from "../../../run";
 import { weakDirection } from "../directions";
 import { asSentence, countOf, startOf } from "../../../words";
-import type { Finding } from "./index";
+import type { Finding } from "../../../findings";
 
 /** What the anchors cannot show, or show badly. */
 export function weakGeometry(run: Run, step: number): Finding | null {

@@ -1,14 +1,8 @@
+import type { Finding } from "../../../findings";
 import { type Run, runsAt } from "../../../run";
 import { cautious, overconfident, surprised } from "./consistency";
 import { mirrored, nearest, projected, stopped } from "./errors";
 import { weakGeometry } from "./geometry";
-
-/** Something worth saying about a run at a step. */
-export interface Finding {
-  readonly text: string;
-  /** How much it matters; a few of the weightiest are said. */
-  readonly weight: number;
-}
 
 /** Everything that is worth saying, in the order in which it is read. */
 export function findings(run: Run, step: number): Finding[] {

@@ -16,7 +16,7 @@ const THRESHOLDS = Float64Array.from({ length: 21 }, (_, index) => PAPER * 2 ** 
 const RELATIVE = THRESHOLDS.map((threshold) => 10 * threshold);
 
 /** What the projections of the ET-KF buy: whether it is switched on does not matter. */
-export const budget: StudyPage<Run, BudgetCurves> = {
+export const budget: StudyPage<Run, BudgetCurves, Scenario> = {
   title: "ET budget",
   always: false,
   subject(scenario) {

@@ -1,3 +1,4 @@
+import type { Scenario } from "../../../scenario";
 import { DrawList } from "../../../engine";
 import type { StudyPage } from "../../../lab";
 import type { Run } from "../../../run";
@@ -10,7 +11,7 @@ import { drawsPlots, drawsSentence } from "./draws-plots";
 const PLAN: StudyPlan = { perBlock: 20, firstPicture: 100, most: 500 };
 
 /** Anchors fixed against anchors drawn anew, for the KF and the UC-KF whichever are switched on. */
-export const draws: StudyPage<Run, AnchorDraws> = {
+export const draws: StudyPage<Run, AnchorDraws, Scenario> = {
   title: "Anchor draws",
   always: false,
   subject: (scenario) => ({

@@ -1,5 +1,5 @@
-import { chiSquaredInterval } from "../../engine";
-import type { Band } from "../../plots/spec";
+import { chiSquaredInterval } from "../engine";
+import type { Band } from "./spec";
 
 /** Where the mean of χ² over its degrees of freedom lies with so much probability: trials add up their degrees. */
 export function meanBand(degrees: number, trials: number, probability: number): [number, number] {
