@@ -75,6 +75,28 @@ pub enum Error {
         /// Why, in a sentence.
         reason: String,
     },
+    /// There are too few nodes, stamps or distances for what was asked.
+    TooFew {
+        /// What was being computed.
+        what: &'static str,
+        /// What there are too few of.
+        counted: &'static str,
+        /// How many there are.
+        found: usize,
+        /// How many it takes.
+        needed: usize,
+        /// Why, in a sentence.
+        reason: &'static str,
+    },
+    /// The data lie so that the answer is not determined.
+    Degenerate {
+        /// What was being computed.
+        what: &'static str,
+        /// The number that shows it, relative to its usual size.
+        value: f64,
+        /// Why, in a sentence.
+        reason: &'static str,
+    },
     /// A covariance is no longer positive definite within double precision.
     NotPositiveDefinite {
         /// Which matrix.
@@ -122,6 +144,12 @@ impl fmt::Display for Error {
             Self::Number { what, value, limit } => write!(f, "{what} is {value}; it must be {limit}"),
             Self::Unobservable { what, ranges, reason } => {
                 write!(f, "{what}: {ranges} ranges are not enough to find the pose. {reason}")
+            }
+            Self::TooFew { what, counted, found, needed, reason } => {
+                write!(f, "{what} needs at least {needed} {counted}, and there are {found}. {reason}")
+            }
+            Self::Degenerate { what, value, reason } => {
+                write!(f, "{what} is not determined ({value:e}). {reason}")
             }
             Self::NotPositiveDefinite { what, pivot } => write!(
                 f,

@@ -10,6 +10,7 @@
 //! | [`localize`] | LS, SUC-LS, OUC-LS, their total least squares, maximum likelihood: the pose from one epoch alone |
 //! | [`track`] | KF, KF-ortho, UC-KF, ET-KF and the error-state filter, all on one update |
 //! | [`inertial`] | an IMU and ranges: EKF, UKF, their Riemannian forms, and the yardsticks on SO(3) |
+//! | [`anchorless`] | mobile nodes without anchors: relative positions, velocities, accelerations from distances |
 //! | [`bounds`] | CRB, UC-CRB and the posterior bounds: how well any estimator could do |
 //! | [`simulate`] | a scenario made into a recording, one random stream a trial |
 //! | [`study`] | one run or many, with standard errors |
@@ -21,7 +22,8 @@
 //! The papers are cited as \[T\], *Tracking Position and Orientation of a Mobile Rigid Body* (S. P. Chepuri,
 //! A. Simonetto, G. Leus, A.-J. van der Veen), and \[L\], *Rigid Body Localization Using Sensor Networks* (S. P. Chepuri,
 //! G. Leus, A.-J. van der Veen, 2013), \[I\], *Indoor Position and Attitude Tracking with SO(3) Manifold* (H. Salem,
-//! M. Ahmed, M. AlSharif, A. Muqaibel, T. Al-Naffouri); equations are corrected where they are misprinted.
+//! M. Ahmed, M. AlSharif, A. Muqaibel, T. Al-Naffouri), and \[A\], *Relative Kinematics Estimation Using Accelerometer
+//! Measurements* (A. Mishra, R. T. Rajan, arXiv 2112.07307); equations are corrected where they are misprinted.
 //!
 //! Every function is pure and gives the same bits natively and in WebAssembly: the crate is `no_std`, has no clock, no
 //! files, no threads and no global randomness, and takes its sines from `libm`.
@@ -30,6 +32,7 @@
 
 extern crate alloc;
 
+pub mod anchorless;
 pub mod bounds;
 pub mod error;
 pub mod inertial;

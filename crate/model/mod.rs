@@ -10,6 +10,7 @@ pub mod estimator_settings;
 pub mod field_settings;
 pub mod imu;
 pub mod indoor;
+pub mod kinematics;
 pub mod lack;
 pub mod localize_settings;
 pub mod motion;

@@ -3,6 +3,7 @@
 
 pub mod imu;
 pub mod indoor;
+pub mod kinematics;
 pub mod measure;
 pub mod mounting;
 pub mod random;

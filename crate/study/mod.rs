@@ -10,6 +10,7 @@ pub mod exploration;
 pub mod figures;
 mod flat;
 pub mod indoor;
+pub mod kinematics;
 pub mod localization;
 pub mod moments;
 pub mod monte_carlo;

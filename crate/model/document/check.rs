@@ -56,6 +56,8 @@ impl Limit {
     pub const RATE: Self = Self::from(1e-3, 1e5, " Hz");
     pub const DENSITY: Self = Self::from(0.0, 1e6, "");
     pub const ACCELERATION: Self = Self::from(-1e6, 1e6, " m/s^2");
+    pub const ACCELERATION_NOISE: Self = Self::from(0.0, 1e6, " m/s^2");
+    pub const KINEMATIC: Self = Self::from(-1e9, 1e9, " m/s^l");
     pub const GRAVITY: Self = Self::from(0.0, 1e3, " m/s^2");
     pub const RANGE: Self = Self::from(0.0, 1e10, " m");
     pub const SQUARED_RANGE: Self = Self::from(-1e20, 1e20, " m^2");

@@ -1,0 +1,8 @@
+//! Studies of the Anchorless lab: one trial as a document, or many in blocks.
+
+pub mod block;
+pub mod errors;
+pub mod monte_carlo;
+pub mod report;
+pub mod run;
+mod tally;

@@ -1,0 +1,62 @@
+//! Studies in blocks.
+
+use rangelab::Error;
+use rangelab::model::kinematics::settings::KinematicsName::*;
+use rangelab::study::kinematics::block::KinematicsBlock;
+use rangelab::study::kinematics::monte_carlo::KinematicsMonteCarlo;
+use rangelab::study::kinematics::run::run_kinematics;
+
+use crate::scenes::paper;
+
+#[test]
+fn blocks_join_in_their_order_and_travel_as_numbers() {
+    let mut scenario = paper(10);
+    scenario.steps = 3;
+    scenario.estimators.enabled = vec![Algorithm1So, MultidimensionalScaling, RangePolynomial];
+    let study = KinematicsMonteCarlo::new(&scenario, 45).unwrap();
+    let whole = study.run().unwrap();
+    assert_eq!((study.blocks(), whole.trials), (3, 45));
+    let mut sum = study.start();
+    let blocks: Vec<KinematicsBlock> = [2, 0, 1].map(|index| study.block(index).unwrap()).into();
+    assert!(matches!(sum.merge(&blocks[0]), Err(Error::Size { .. })));
+    for index in [1, 2, 0] {
+        let numbers = blocks[index].to_numbers();
+        sum.merge(&KinematicsBlock::from_numbers(&scenario, &numbers).unwrap()).unwrap();
+        assert!(KinematicsBlock::from_numbers(&scenario, &numbers[1..]).is_err());
+    }
+    assert_eq!(study.report(&sum), whole);
+    let [motion, epochs, ranges] = [0, 1, 2].map(|index| &whole.estimators[index].summary);
+    assert_eq!((motion.coefficients.len(), motion.gram.len(), motion.positions.len()), (3, 3, 3));
+    assert_eq!((epochs.coefficients.len(), epochs.gram.len(), epochs.aligned_positions.len()), (0, 0, 3));
+    assert_eq!((ranges.coefficients.len(), ranges.gram.len(), ranges.positions.len()), (0, 3, 0));
+    assert_eq!(motion.velocity_distribution.len(), 45);
+    assert!(motion.velocity_distribution.is_sorted());
+}
+
+/// One trial's study is its run.
+#[test]
+fn a_study_of_one_trial_is_the_run() {
+    let mut scenario = paper(20);
+    scenario.estimators.enabled = vec![Algorithm2Rank1];
+    let run = run_kinematics(&scenario, 0).unwrap();
+    let report = KinematicsMonteCarlo::new(&scenario, 1).unwrap().run().unwrap();
+    let values = |estimates: &[rangelab::study::moments::Estimate]| {
+        estimates.iter().map(|each| each.value).collect::<Vec<f64>>()
+    };
+    let (run, summary) = (&run.estimators[0], &report.estimators[0].summary);
+    assert_eq!(values(&summary.coefficients), run.coefficient_errors);
+    assert_eq!(values(&summary.gram), run.gram_errors);
+    assert_eq!(values(&summary.positions), run.position_errors);
+    assert_eq!(values(&summary.aligned_positions), run.aligned_position_errors);
+}
+
+#[test]
+fn estimators_that_refuse_are_counted() {
+    let mut scenario = paper(4);
+    scenario.estimators.enabled = vec![Algorithm1So, Algorithm2So];
+    let report = KinematicsMonteCarlo::new(&scenario, 5).unwrap().run().unwrap();
+    let [first, second] = [0, 1].map(|index| &report.estimators[index].summary);
+    assert_eq!((first.trials, first.failures, first.coefficients.len()), (0, 5, 0));
+    assert_eq!((second.trials, second.failures, second.coefficients.len()), (5, 0, 3));
+    assert!(KinematicsMonteCarlo::new(&scenario, 0).is_err());
+}
