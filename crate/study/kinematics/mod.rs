@@ -5,4 +5,5 @@ pub mod errors;
 pub mod monte_carlo;
 pub mod report;
 pub mod run;
+pub mod spectrum;
 mod tally;
