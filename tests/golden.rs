@@ -6,6 +6,8 @@
 mod fingerprint;
 #[path = "golden/indoor.rs"]
 mod indoor;
+#[path = "golden/kinematics.rs"]
+mod kinematics;
 
 use std::fs;
 use std::path::PathBuf;
@@ -115,5 +117,6 @@ fn write_the_golden_files() {
     fs::write(beside("figures.txt"), figures()).unwrap();
     fs::write(beside("geometry.txt"), geometry_fingerprints()).unwrap();
     fs::write(beside("indoor.txt"), indoor::indoor_fingerprints()).unwrap();
+    fs::write(beside("kinematics.txt"), kinematics::kinematics_fingerprints()).unwrap();
     fs::write(beside("snapshots.txt"), snapshot_fingerprints()).unwrap();
 }

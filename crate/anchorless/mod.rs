@@ -5,15 +5,18 @@
 
 pub mod distance_matrix;
 pub mod gram_fit;
+pub mod maximum_likelihood;
 pub mod multidimensional_scaling;
 pub mod polynomial_fit;
 pub mod range_polynomial;
 pub mod relative_kinematics;
+pub mod synchronization;
 
 use crate::error::{Error, Result};
 use crate::model::kinematics::distance_record::DistanceRecord;
 use crate::model::kinematics::estimate::KinematicsEstimate;
 use crate::model::kinematics::settings::{KinematicsName, KinematicsSettings};
+use maximum_likelihood::{Detail, maximum_likelihood, maximum_likelihood_with_accelerometers};
 use relative_kinematics::Solver;
 use relative_kinematics::{algorithm_1, algorithm_2};
 
@@ -52,15 +55,15 @@ pub fn estimate(
         KinematicsName::Algorithm2Lifted => algorithm_2(record, degree, Solver::Lifted),
         KinematicsName::MultidimensionalScaling => multidimensional_scaling::snapshots(record),
         KinematicsName::RangePolynomial => range_polynomial::range_polynomial(record, settings.range_degree),
-        KinematicsName::SnapshotSync
-        | KinematicsName::MaximumLikelihood
-        | KinematicsName::MaximumLikelihoodFull
-        | KinematicsName::MaximumLikelihoodAccelerometers
-        | KinematicsName::MaximumLikelihoodAccelerometersFull => Err(Error::UnknownName {
-            what: "estimator that is built yet",
-            name: name.name().into(),
-            known: "the others".into(),
-        }),
+        KinematicsName::SnapshotSync => synchronization::snapshot_sync(record, degree),
+        KinematicsName::MaximumLikelihood => maximum_likelihood(record, degree, Detail::Compressed),
+        KinematicsName::MaximumLikelihoodFull => maximum_likelihood(record, degree, Detail::Every),
+        KinematicsName::MaximumLikelihoodAccelerometers => {
+            maximum_likelihood_with_accelerometers(record, degree, Detail::Compressed)
+        }
+        KinematicsName::MaximumLikelihoodAccelerometersFull => {
+            maximum_likelihood_with_accelerometers(record, degree, Detail::Every)
+        }
     }
 }
 

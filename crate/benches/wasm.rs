@@ -5,16 +5,20 @@
 mod cases;
 mod field_case;
 mod indoor_case;
+mod kinematics_case;
 
 use std::cell::RefCell;
 
 use cases::{CASES, Running};
 use indoor_case::IndoorCase;
+use kinematics_case::KinematicsCase;
 use rangelab::model::indoor::filter_settings::FilterName;
+use rangelab::model::kinematics::settings::KinematicsName;
 
 thread_local! {
     static RUNNING: RefCell<Option<Running>> = const { RefCell::new(None) };
     static INDOOR: IndoorCase = IndoorCase::new();
+    static KINEMATICS: KinematicsCase = KinematicsCase::new();
 }
 
 /// Number of cases.
@@ -45,4 +49,10 @@ pub extern "C" fn field(case: usize) -> f64 {
 #[unsafe(no_mangle)]
 pub extern "C" fn indoor() -> f64 {
     INDOOR.with(|case| case.run(&FilterName::ALL))
+}
+
+/// Runs an estimator of relative kinematics.
+#[unsafe(no_mangle)]
+pub extern "C" fn kinematics(name: usize) -> f64 {
+    KINEMATICS.with(|case| case.run(KinematicsName::ALL[name]))
 }

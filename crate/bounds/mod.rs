@@ -7,6 +7,7 @@
 //! | [`perturbed::perturbed_information`] | both where the sensors sit off their places on the body |
 //! | [`sensors::sensor_trace`] | what either says of the positions of the sensors |
 //! | [`posterior::PosteriorBound`] | the same with all epochs up to now and the prior |
+//! | [`kinematics::KinematicsBound`] | relative kinematics of nodes without anchors, in the frame in which errors are measured |
 //! | [`along::bounds_along`] | all of these at each step of a recording |
 
 pub mod along;
@@ -14,6 +15,7 @@ mod cause;
 pub mod constrained;
 pub mod field;
 pub mod fisher;
+pub mod kinematics;
 pub mod kinds;
 pub mod observability;
 pub mod perturbed;

@@ -3,6 +3,7 @@
 pub mod block;
 pub mod chi_squared;
 pub mod cholesky;
+pub mod definite;
 pub mod exponential_integral;
 pub mod float;
 pub mod legendre;

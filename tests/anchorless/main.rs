@@ -1,10 +1,22 @@
 //! Relative kinematics of mobile nodes from the distances between them.
 
+mod degenerate_networks;
 mod documents;
 mod edges;
 mod exact;
 mod figures;
 mod gauge;
+mod kinematics_bound;
+mod likelihood;
+mod likelihood_tables;
+mod minimum_nodes;
+mod mirrored_minimum;
+mod networks;
+mod recovery;
 mod scenes;
 mod simulation;
 mod study;
+mod table;
+
+#[path = "../support/mod.rs"]
+mod support;

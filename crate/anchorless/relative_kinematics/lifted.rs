@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::Velocities;
+use super::SecondStage;
 use super::lyapunov::{Sides, skew, skew_entries};
 use crate::error::{Error, Result};
 use crate::math::orthogonal::nearest_orthogonal;
@@ -42,14 +42,14 @@ impl Stage {
     }
 
     /// The best `Omega` and `Omega_2` for a given `H`, whose `Y_1 = Y_1p + Omega Y_0` obeys the first equation exactly.
-    pub fn with_rotation(&self, rotation: &DMatrix<f64>, iterations: usize) -> Result<Velocities> {
+    pub fn with_rotation(&self, rotation: &DMatrix<f64>, iterations: usize) -> Result<SecondStage> {
         let entries = skew_entries(self.dimension());
         let mut columns = self.omega_columns();
         columns.extend(self.second_columns(rotation));
         let system = DMatrix::from_columns(&columns);
         let target = stacked(&(rotation * &self.second - &self.first));
         let solution = least_squares(&system, &target, RANK).ok_or_else(not_seen)?;
-        Ok(Velocities {
+        Ok(SecondStage {
             velocities: &self.first + self.omega(&solution.as_slice()[..entries]) * &self.positions,
             rotation: rotation.clone(),
             cost: (system * solution - target).norm_squared(),
@@ -80,7 +80,7 @@ impl Stage {
 }
 
 /// `H W_p + P Yh_2 - Omega Y_0 = Y_1p` by linear least squares; reflections need no branch of their own.
-pub fn solve(sides: &Sides) -> Result<Velocities> {
+pub fn solve(sides: &Sides) -> Result<SecondStage> {
     let stage = Stage::new(sides);
     let rotation = rotation(&stage).ok_or_else(not_seen)?;
     stage.with_rotation(&rotation, 0)

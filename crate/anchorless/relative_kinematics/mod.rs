@@ -35,7 +35,7 @@ pub enum Solver {
 
 /// What the second stage found.
 #[derive(Clone, Debug)]
-struct Velocities {
+struct SecondStage {
     /// `Y_1`, D x N.
     velocities: DMatrix<f64>,
     /// `H` with `Y_2 = H Yh_2`, in O(D).
@@ -69,7 +69,7 @@ pub fn algorithm_1(record: &DistanceRecord, degree: usize, solver: Solver) -> Re
     enough_nodes(WHAT, record, solver)?;
     let fit = GramFit::new(record, 4)?;
     let powers = fit.scaled_powers();
-    let (dimension, size) = (record.dimension(), size(&powers));
+    let (dimension, size) = (record.dimension(), size(record));
     let positions = spanning(WHAT, classical_scaling(&powers[0], dimension), size, POSITIONS)?;
     let accelerations = classical_scaling(&(&powers[4] * 4.0), dimension);
     let accelerations = spanning(WHAT, accelerations, size, ACCELERATIONS)?;
@@ -114,7 +114,7 @@ pub fn algorithm_2(record: &DistanceRecord, degree: usize, solver: Solver) -> Re
     let fit = GramFit::less(record, degree + 1, &sensed)?;
     let powers = fit.scaled_powers();
     let scaling = classical_scaling(&powers[0], record.dimension());
-    let positions = spanning(WHAT, scaling, size(&powers), POSITIONS)?;
+    let positions = spanning(WHAT, scaling, size(record), POSITIONS)?;
     let top = sensed.coefficient(degree);
     let factorial = (2..=degree).fold(1.0, |product, l| product * l as f64);
     let sides = Sides::new((&positions.positions, &powers[1]), (top, &(&powers[degree + 1] * factorial)));
@@ -132,7 +132,7 @@ pub fn algorithm_2(record: &DistanceRecord, degree: usize, solver: Solver) -> Re
     })
 }
 
-fn velocities(sides: &Sides, solver: Solver) -> Result<Velocities> {
+fn velocities(sides: &Sides, solver: Solver) -> Result<SecondStage> {
     match solver {
         Solver::Literal => products::solve(sides, products::Reading::Literal),
         Solver::Rank1 => products::solve(sides, products::Reading::Rank1),
@@ -165,9 +165,10 @@ const POSITIONS: &str =
 const ACCELERATIONS: &str = "The accelerations relative to each other do not span the space (constant velocities, say, or \
                              all nodes accelerating alike), and the rotation is found from them.";
 
-/// The largest entry of all coefficients over scaled time: what rounding is measured by.
-fn size(powers: &[DMatrix<f64>]) -> f64 {
-    powers.iter().map(DMatrix::amax).fold(0.0, f64::max)
+/// The largest squared distance, m^2: what rounding is measured by.
+fn size(record: &DistanceRecord) -> f64 {
+    let all = (0..record.stamps().len()).flat_map(|k| record.distances(k).iter().flatten());
+    all.fold(0.0, |most, distance| most.max(distance * distance))
 }
 
 /// Refuses a Gram matrix with fewer positive eigenvalues than dimensions.

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::Velocities;
+use super::SecondStage;
 use super::lyapunov::{Lyapunov, Sides, skew};
 use crate::error::{Error, Result};
 use crate::math::float::sqrt;
@@ -22,7 +22,7 @@ pub enum Reading {
 const RANK: f64 = 1e-10;
 
 /// Both branches, with `H` a rotation and with it a reflection; the one whose products, made feasible, fit better.
-pub fn solve(sides: &Sides, reading: Reading) -> Result<Velocities> {
+pub fn solve(sides: &Sides, reading: Reading) -> Result<SecondStage> {
     let proper = branch(sides, reading)?;
     let mut mirrored = branch(&sides.mirrored(), reading)?;
     // `Yh_2` was mirrored, so its rotation is followed by the mirror.
@@ -30,7 +30,7 @@ pub fn solve(sides: &Sides, reading: Reading) -> Result<Velocities> {
     Ok(if mirrored.cost < proper.cost { mirrored } else { proper })
 }
 
-fn branch(sides: &Sides, reading: Reading) -> Result<Velocities> {
+fn branch(sides: &Sides, reading: Reading) -> Result<SecondStage> {
     let first = &sides.first;
     // Y_1 = P + u_1 E_1 + u_2 E_2 with u = (Z_1[1, 0], Z_1[0, 1]).
     let unit = |i: usize, j: usize| first.left.column(i) * first.right.column(j).transpose();
@@ -54,7 +54,7 @@ fn branch(sides: &Sides, reading: Reading) -> Result<Velocities> {
     // cannot tell the branches apart for five nodes, and a division by nearly zero must not decide either.
     let (_, next) = read(&products, Reading::Rank1)?;
     let feasible = [h[0], h[1], h[0] * next[0], h[0] * next[1], h[1] * next[0], h[1] * next[1]];
-    Ok(Velocities {
+    Ok(SecondStage {
         velocities: &parts[0] + &parts[1] * u[0] + &parts[2] * u[1],
         rotation: DMatrix::from_row_slice(2, 2, &[h[0], -h[1], h[1], h[0]]),
         cost: (system * DVector::from_row_slice(&feasible) - target).norm_squared(),

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use nalgebra::DMatrix;
 
-use super::Velocities;
+use super::SecondStage;
 use super::lifted::{self, Stage, least_squares, not_seen, stacked};
 use super::lyapunov::{Sides, skew, skew_entries};
 use crate::error::Result;
@@ -20,14 +20,14 @@ const SETTLED: f64 = 1e-12;
 const RANK: f64 = 1e-12;
 
 /// The best of all starts, each followed to its valley.
-pub fn solve(sides: &Sides) -> Result<Velocities> {
+pub fn solve(sides: &Sides) -> Result<SecondStage> {
     let stage = Stage::new(sides);
     let starts = match (stage.dimension(), lifted::rotation(&stage)) {
         (2, _) => plane_starts(&stage),
         (_, Some(rotation)) => Vec::from([rotation]),
         _ => cube_starts(),
     };
-    let mut best: Option<Velocities> = None;
+    let mut best: Option<SecondStage> = None;
     for start in starts {
         let found = descend(&stage, start)?;
         if best.as_ref().is_none_or(|best| found.cost < best.cost) {
@@ -38,7 +38,7 @@ pub fn solve(sides: &Sides) -> Result<Velocities> {
 }
 
 /// Gauss-Newton on `(Omega, Omega_2, H exp(delta))`, the two linear unknowns solved for anew in each step.
-fn descend(stage: &Stage, mut rotation: DMatrix<f64>) -> Result<Velocities> {
+fn descend(stage: &Stage, mut rotation: DMatrix<f64>) -> Result<SecondStage> {
     let mut best = stage.with_rotation(&rotation, 0)?;
     for iteration in 1..=MAX_ITERATIONS {
         let Some(delta) = step(stage, &rotation) else { break };

@@ -89,11 +89,13 @@ impl RelativeKinematics {
     }
 
     /// Each coefficient less the mean over the nodes, `Y_l C` with `C = I - 1 1^T/N`.
+    #[must_use]
     pub fn centred(&self) -> Self {
         Self { coefficients: self.coefficients.iter().map(centred_columns).collect() }
     }
 
     /// `Q Y_l` for every l, `Q` D x D.
+    #[must_use]
     pub fn rotated(&self, q: &DMatrix<f64>) -> Self {
         Self { coefficients: self.coefficients.iter().map(|each| q * each).collect() }
     }
@@ -115,6 +117,7 @@ impl RelativeKinematics {
     }
 
     /// Up to `degree`, coefficients beyond L being zero.
+    #[must_use]
     pub fn with_degree(&self, degree: usize) -> Self {
         let mut coefficients = self.coefficients.clone();
         coefficients.resize(degree + 1, DMatrix::zeros(self.dimension(), self.nodes()));

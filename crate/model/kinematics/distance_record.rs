@@ -94,6 +94,7 @@ impl DistanceRecord {
     }
 
     /// The same record without accelerations.
+    #[must_use]
     pub fn without_accelerometers(&self) -> Self {
         Self { accelerometers: None, ..self.clone() }
     }

@@ -1,0 +1,158 @@
+//! The likeliest motion, from every distance and, where there are accelerometers, every acceleration.
+//!
+//! Unknown are the coefficients of powers of scaled time of all nodes, stacked: D N (L + 1) numbers. Distances do not show
+//! translations of a coefficient, nor a common rotation; information is added there, and what is found is centred.
+
+mod acceleration_cost;
+mod descent;
+mod objective;
+mod pair_cost;
+mod retraction;
+
+use nalgebra::DMatrix;
+
+use super::synchronization::snapshot_sync;
+use crate::error::{Error, Result};
+use crate::model::kinematics::coefficients::RelativeKinematics;
+use crate::model::kinematics::distance_record::DistanceRecord;
+use crate::model::kinematics::estimate::KinematicsEstimate;
+use crate::model::kinematics::stacked::{from_stacked_powers, stacked_powers};
+use crate::with_dimension;
+use acceleration_cost::AccelerationCost;
+use descent::{Minimum, minimum};
+use objective::Objective;
+use pair_cost::PairCosts;
+
+/// What is being computed, for errors.
+const WHAT: &str = "maximum likelihood";
+
+/// How distances enter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Detail {
+    /// Each pair as the 2L + 1 numbers that its squared distances say about a polynomial: the cost of an iteration does not
+    /// depend on the number of stamps. Equal to the next but for the bend of the square, of the order of `(sigma/d)^2`.
+    Compressed,
+    /// Every single distance, `sum (d - ||x_a(t) - x_b(t)||)^2/sigma^2`.
+    Every,
+}
+
+/// Maximum likelihood from distances alone, from the start of [`snapshot_sync`].
+///
+/// Gauss-Newton, then exact Newton until steps stop shrinking. The cost of the estimate is `sum (residual/sigma)^2`, less
+/// what no motion of this degree could explain where pairs are compressed.
+///
+/// # Errors
+/// As [`snapshot_sync`]; [`Error::Degenerate`] where distances do not determine the motion; [`Error::NoConvergence`].
+///
+/// ```
+/// use rangelab::anchorless::maximum_likelihood::{Detail, maximum_likelihood};
+/// use rangelab::model::kinematics::presets::kinematics_preset;
+/// use rangelab::simulate::kinematics::simulate_kinematics;
+/// let trial = simulate_kinematics(&kinematics_preset("kinematics-paper")?, 0)?;
+/// let found = maximum_likelihood(&trial.record, 2, Detail::Compressed)?;
+/// let found = found.kinematics.expect("it finds the motion").aligned_to(&trial.truth)?;
+/// assert!((found.coefficient(1) - trial.truth.coefficient(1)).amax() < 0.1); // m/s
+/// # Ok::<(), rangelab::Error>(())
+/// ```
+pub fn maximum_likelihood(
+    record: &DistanceRecord,
+    degree: usize,
+    detail: Detail,
+) -> Result<KinematicsEstimate> {
+    let start = snapshot_sync(record, degree)?.kinematics.expect("it finds the motion");
+    let compressed = refined(&record.without_accelerometers(), &start, Detail::Compressed)?;
+    match (detail, &compressed.kinematics) {
+        (Detail::Every, Some(near)) => {
+            let every = refined(&record.without_accelerometers(), near, detail)?;
+            Ok(KinematicsEstimate { iterations: compressed.iterations + every.iterations, ..every })
+        }
+        _ => Ok(compressed),
+    }
+}
+
+/// Maximum likelihood from distances and accelerations, from the start of [`joint_start`]; the motion is given in the frame
+/// of the accelerometers, mirror included, so that their `Q` is the identity.
+///
+/// # Errors
+/// As [`maximum_likelihood`] and [`joint_start`].
+///
+/// ```
+/// use rangelab::anchorless::maximum_likelihood::{Detail, maximum_likelihood_with_accelerometers};
+/// use rangelab::model::kinematics::presets::kinematics_preset;
+/// use rangelab::simulate::kinematics::simulate_kinematics;
+/// let trial = simulate_kinematics(&kinematics_preset("kinematics-paper")?, 0)?;
+/// let found = maximum_likelihood_with_accelerometers(&trial.record, 2, Detail::Compressed)?;
+/// let found = found.kinematics.expect("it finds the motion").aligned_to(&trial.truth)?;
+/// assert!((found.coefficient(1) - trial.truth.coefficient(1)).amax() < 0.02); // m/s
+/// # Ok::<(), rangelab::Error>(())
+/// ```
+pub fn maximum_likelihood_with_accelerometers(
+    record: &DistanceRecord,
+    degree: usize,
+    detail: Detail,
+) -> Result<KinematicsEstimate> {
+    let (start, before) = joint_start(record, degree)?;
+    let compressed = refined(record, &start, Detail::Compressed)?;
+    let last = match (detail, &compressed.kinematics) {
+        (Detail::Every, Some(near)) => {
+            let every = refined(record, near, detail)?;
+            KinematicsEstimate { iterations: compressed.iterations + every.iterations, ..every }
+        }
+        _ => compressed,
+    };
+    Ok(KinematicsEstimate { iterations: before + last.iterations, ..last })
+}
+
+/// Maximum likelihood from distances, then the element of O(D) that fits its accelerations to the readings, and the number
+/// of iterations.
+///
+/// With accelerations the cost has a second, mirrored minimum; distances alone do not know it, for them the mirrored motion
+/// is the same one.
+///
+/// # Errors
+/// As [`maximum_likelihood`]; [`Error::Size`] where the record has no accelerations, [`Error::Number`] for motions of degree
+/// below 2, which have none.
+pub fn joint_start(record: &DistanceRecord, degree: usize) -> Result<(RelativeKinematics, usize)> {
+    let readings = AccelerationCost::new(record, degree)?;
+    let found = maximum_likelihood(record, degree, Detail::Compressed)?;
+    let (motion, scale) = (found.kinematics.expect("it finds the motion"), record.time_scale());
+    let stacked = stacked_powers(&scale.scale(&motion));
+    Ok((motion.rotated(&readings.frame(record.dimension(), &stacked)?), found.iterations))
+}
+
+/// The minimum next to a start: from distances, and from the accelerations of the record where it has any, which the start
+/// then has to have in their own frame.
+///
+/// # Errors
+/// [`Error::Size`] where the start is not of the nodes and dimension of the record, [`Error::Number`] for accelerations and
+/// a start of degree below 2; [`Error::Degenerate`] where the motion is not determined; [`Error::NoConvergence`].
+pub fn refined(
+    record: &DistanceRecord,
+    start: &RelativeKinematics,
+    detail: Detail,
+) -> Result<KinematicsEstimate> {
+    let (nodes, dimension, degree) = (record.nodes(), record.dimension(), start.degree());
+    let (found, expected) = (start.coefficient(0).len(), dimension * nodes);
+    if start.dimension() != dimension || start.nodes() != nodes {
+        return Err(Error::Size { what: "coordinates in the start", found, expected });
+    }
+    let scale = record.time_scale();
+    let accelerations = match record.accelerometers() {
+        Some(_) => Some(AccelerationCost::new(record, degree)?),
+        None => None,
+    };
+    let rotation = accelerations.as_ref().map(|_| DMatrix::identity(dimension, dimension));
+    let pairs = PairCosts::new(record, degree, detail);
+    let from = stacked_powers(&scale.scale(&start.centred()));
+    let Minimum { unknowns, cost, iterations } = with_dimension!(dimension, D => {
+        minimum(&Objective::<D> { nodes, pairs, accelerations }, from)
+    })?;
+    let found = scale.unscale(&from_stacked_powers(dimension, nodes, unknowns.as_slice())).centred();
+    Ok(KinematicsEstimate {
+        kinematics: Some(found),
+        rotation,
+        cost: 2.0 * cost,
+        iterations,
+        ..KinematicsEstimate::default()
+    })
+}

@@ -1,0 +1,150 @@
+//! The Cramér-Rao bound of relative kinematics, with the gauge fixed as errors are measured.
+//!
+//! Distances show neither translations nor a common turn, so information about the coefficients is singular there. An
+//! estimate is compared with the truth after centring and one Procrustes alignment, to first order
+//!
+//! ```text
+//! e_l  ->  e_l + Omega Y_l      Omega skew with the least ||e_0 + Omega Y_0||_F
+//! ```
+//!
+//! and so is the bound: any generalized inverse of the information, mapped by this projection along the gauge.
+
+mod alignment;
+mod design;
+mod gram;
+mod information;
+
+pub use design::KinematicsDesign;
+
+use nalgebra::DMatrix;
+
+use crate::error::{Error, Result};
+use crate::math::definite::definite_factor;
+use crate::math::float::sqrt;
+use crate::model::kinematics::coefficients::RelativeKinematics;
+use crate::model::kinematics::gauge_directions::{add_translations, add_turns, turn_fields};
+use crate::model::kinematics::stacked::stacked_powers;
+use crate::model::kinematics::time_scale::TimeScale;
+use crate::with_dimension;
+use alignment::{aligned, read_out};
+
+/// What is being computed, for errors.
+const WHAT: &str = "the Cramér-Rao bound of relative kinematics";
+
+/// To what positions are aligned before they are compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Alignment {
+    /// One element of O(D), from the positions at time 0.
+    AtZero,
+    /// At each instant another one, from the positions then.
+    AtEach,
+}
+
+/// How well any unbiased estimator could find the motion of a network.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KinematicsBound {
+    motion: RelativeKinematics,
+    scale: TimeScale,
+    /// A generalized inverse of the information about the coefficients of powers of scaled time, stacked.
+    inverse: DMatrix<f64>,
+}
+
+impl KinematicsBound {
+    /// From distances alone, or with accelerometers in one unknown proper frame, as the design says.
+    ///
+    /// # Errors
+    /// [`Error::Number`] where a standard deviation is not positive, or accelerations of a motion of degree below 2 are
+    /// given; [`Error::Degenerate`] where two nodes meet at a stamp, or the motion is not determined to first order.
+    ///
+    /// ```
+    /// use rangelab::bounds::kinematics::{KinematicsBound, KinematicsDesign};
+    /// use rangelab::model::kinematics::presets::kinematics_preset;
+    /// let scenario = kinematics_preset("kinematics-paper")?;
+    /// let design = KinematicsDesign::distances(&scenario.setup()?.stamps, &scenario.noise);
+    /// let bound = KinematicsBound::new(&scenario.setup()?.motion, &design)?;
+    /// assert!((bound.coefficient_rmse(1)? - 0.0151).abs() < 1e-4); // m/s for each coordinate
+    /// # Ok::<(), rangelab::Error>(())
+    /// ```
+    pub fn new(motion: &RelativeKinematics, design: &KinematicsDesign) -> Result<Self> {
+        let (motion, scale) = (motion.centred(), TimeScale::of(&design.stamps));
+        let mut information = information::information(&motion, design)?;
+        let stacked = stacked_powers(&scale.scale(&motion));
+        if design.sigma_acceleration.is_none() {
+            let fields =
+                with_dimension!(motion.dimension(), D => Ok::<_, Error>(turn_fields::<D>(stacked.as_slice())))?;
+            add_turns(&mut information, &fields);
+        }
+        add_translations(&mut information, motion.dimension(), motion.nodes());
+        let factor = definite_factor(&information).map_err(undetermined)?;
+        Ok(Self { motion, scale, inverse: factor.inverse() })
+    }
+
+    /// Covariance of `Y_l` after one alignment at time 0, (D N) x (D N), node by node.
+    ///
+    /// # Errors
+    /// [`Error::Degenerate`] where the positions at time 0 do not fix a frame, [`Error::Size`] for l above L.
+    pub fn coefficient_covariance(&self, l: usize) -> Result<DMatrix<f64>> {
+        if l > self.motion.degree() {
+            let what = "coefficients of the motion up to the one asked for";
+            return Err(Error::Size { what, found: self.motion.degree() + 1, expected: l + 1 });
+        }
+        let field = |derivative: usize| read_out(&self.motion, &self.scale, derivative, 0.0);
+        Ok(self.covariance(&aligned(&field(l), &field(0))?))
+    }
+
+    /// Root mean square over the coordinates of `Y_l` after one alignment at time 0, m/s^l.
+    ///
+    /// # Errors
+    /// As [`KinematicsBound::coefficient_covariance`].
+    pub fn coefficient_rmse(&self, l: usize) -> Result<f64> {
+        Ok(root_mean(&self.coefficient_covariance(l)?))
+    }
+
+    /// Covariance of the positions at a time (s), (D N) x (D N), node by node.
+    ///
+    /// # Errors
+    /// [`Error::Degenerate`] where the positions that are aligned do not fix a frame.
+    pub fn position_covariance(&self, time: f64, alignment: Alignment) -> Result<DMatrix<f64>> {
+        let positions = |time: f64| read_out(&self.motion, &self.scale, 0, time);
+        let reference = positions(if alignment == Alignment::AtZero { 0.0 } else { time });
+        Ok(self.covariance(&aligned(&positions(time), &reference)?))
+    }
+
+    /// Root mean square over the coordinates of the positions at a time (s), m.
+    ///
+    /// # Errors
+    /// As [`KinematicsBound::position_covariance`].
+    pub fn position_rmse(&self, time: f64, alignment: Alignment) -> Result<f64> {
+        Ok(root_mean(&self.position_covariance(time, alignment)?))
+    }
+
+    /// Root mean square over the entries of `vech(B_l)`, `G(t) = sum_l B_l t^l`, m^2/s^l (\[A\] Fig. 1); Gram matrices need no
+    /// alignment.
+    ///
+    /// # Errors
+    /// [`Error::Degenerate`] where the positions at time 0 do not fix a frame; [`Error::Size`] for l above 2L.
+    pub fn gram_rmse(&self, l: usize) -> Result<f64> {
+        let found = 2 * self.motion.degree() + 1;
+        if l >= found {
+            return Err(Error::Size { what: "coefficients of the Gram matrix up to the one asked for", found, expected: l + 1 });
+        }
+        let jacobian = gram::gram_jacobian(&self.motion, &self.scale, l);
+        let image = &jacobian * &self.inverse;
+        let variance = image.component_mul(&jacobian).sum();
+        Ok(sqrt(variance / jacobian.nrows() as f64))
+    }
+
+    fn covariance(&self, read_out: &DMatrix<f64>) -> DMatrix<f64> {
+        read_out * &self.inverse * read_out.transpose()
+    }
+}
+
+fn root_mean(covariance: &DMatrix<f64>) -> f64 {
+    sqrt(covariance.trace() / covariance.nrows() as f64)
+}
+
+fn undetermined(value: f64) -> Error {
+    let reason = "Some motion of the nodes changes no distance to first order: there are too few nodes or stamps, all nodes \
+                  lie on a line, or they hardly move.";
+    Error::Degenerate { what: WHAT, value, reason }
+}
