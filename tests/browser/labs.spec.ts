@@ -11,9 +11,10 @@ const TYPES: Record<string, string> = { ".html": "text/html", ".js": "text/javas
 const PART = `<p class="second">A part of the second lab</p>`;
 const SECOND = `
   import { preset, presets, track } from "../../engine";
+  import { rigidBody } from "../../rigid-body/family";
   import Part from "./Part.svelte";
   export const lab = {
-    name: "second", title: "Second", order: 99, presets, preset, firstPreset: "tracking-paper",
+    name: "second", title: "Second", order: 99, family: { ...rigidBody }, presets, preset, firstPreset: "tracking-paper",
     compute: (scenario) => ({ ...track(scenario), estimators: [], bounds: [] }),
     layers: [], labels: () => [], note: () => "", told: () => [], plots: () => [], marks: () => [],
     describe: (run) => "The second lab ran " + run.steps + " steps.",

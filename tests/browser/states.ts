@@ -57,6 +57,14 @@ export const STATES: readonly State[] = [
   { name: "Explore, planar", preset: "planar", prepare: (lab) => explore(lab) },
   { name: "Explore, handles", prepare: showHandles },
   { name: "Explore, drawings", prepare: openDrawings },
+  { name: "Indoor", prepare: (lab) => indoor(lab) },
+  { name: "Indoor, stairs", prepare: (lab) => indoor(lab, "A staircase") },
+  { name: "Indoor, matched", prepare: (lab) => indoor(lab, "Inputs that match the filter") },
+  { name: "Indoor, gravity", prepare: (lab) => indoor(lab, "Gravity on the stairs") },
+  { name: "Indoor, all filters", prepare: indoorAll },
+  { name: "Indoor, groups open", prepare: indoorOpen },
+  { name: "Indoor, beacon chosen", prepare: indoorChosen },
+  { name: "Indoor, Monte-Carlo", prepare: indoorAverages },
   { name: "figures", prepare: (lab) => openFigures(lab) },
   { name: "figure computed", prepare: (lab) => computeFigure(lab) },
   { name: "figure claims", prepare: showClaims },
@@ -238,4 +246,33 @@ async function innovations(lab: Lab): Promise<void> {
   const chooser = lab.page.getByRole("group", { name: "Plots shown" });
   const button = chooser.getByRole("button", { name: "NIS" });
   if ((await button.getAttribute("aria-pressed")) === "false") await button.click();
+}
+
+async function indoor(lab: Lab, preset?: string): Promise<void> {
+  await lab.page.getByRole("navigation", { name: "Labs" }).getByRole("button", { name: "Indoor" }).click();
+  await expect(lab.page.getByRole("table", { name: "Errors of the filters" })).toBeVisible();
+  if (preset) await lab.page.getByLabel("Preset").selectOption({ label: preset });
+}
+
+async function indoorAll(lab: Lab): Promise<void> {
+  await indoor(lab, "An IMU that integrates inside");
+  await lab.openSheet();
+  const filters = await lab.openGroup("Filters");
+  await filters.getByRole("button", { name: "All on" }).click();
+  await expect(lab.page.locator("[data-filter]")).toHaveCount(9);
+}
+
+async function indoorOpen(lab: Lab): Promise<void> {
+  await indoor(lab, "Gravity on the stairs");
+  await lab.openGroups();
+}
+
+async function indoorChosen(lab: Lab): Promise<void> {
+  await indoor(lab);
+  await lab.choose(2);
+}
+
+async function indoorAverages(lab: Lab): Promise<void> {
+  await indoor(lab);
+  await averages(lab);
 }

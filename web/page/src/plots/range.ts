@@ -4,7 +4,7 @@ import { linearTicks } from "./ticks";
 export type Range = readonly [number, number];
 
 /** What the value axis has to hold. */
-type Values = Pick<PlotSpec, "x" | "lines" | "bands" | "threshold">;
+type Values = Pick<PlotSpec, "x" | "lines" | "bands" | "threshold" | "ceiling">;
 
 /** Along time errors dip towards zero where they change sign; what lies further below the largest value is cut off. */
 const MOST_DECADES = 3;
@@ -24,7 +24,8 @@ function logRange(spec: Values): Range {
 
 /** Errors, shares and ratios start at zero. */
 function linearRange(spec: Values): Range {
-  const [, high] = extent(spec, (value) => value >= 0);
+  const [, most] = extent(spec, (value) => value >= 0);
+  const high = Math.min(most, spec.ceiling ?? Infinity);
   if (!(high > 0)) return [0, 1];
   const ticks = linearTicks([0, high], 5);
   const step = ticks[1] - ticks[0];

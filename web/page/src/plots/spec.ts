@@ -99,6 +99,8 @@ export interface PlotSpec {
   readonly threshold: Threshold | null;
   /** The scale it opens with. */
   readonly scale: ScaleKind;
+  /** What no value can exceed, such as 100 %; an axis that starts at 0 ends there. */
+  readonly ceiling?: number;
   /** A sentence on what the picture leaves out, or null. */
   readonly note: string | null;
 }

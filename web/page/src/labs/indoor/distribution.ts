@@ -36,10 +36,11 @@ function plot(
   return {
     ...PLAIN,
     name: `indoor-cdf-${word}`,
-    title: `Trials within a ${word} RMSE`,
+    title: `CDF, ${word} RMSE`,
     shortTitle: `CDF, ${word}`,
     unit: "%",
     scale: "linear",
+    ceiling: 100,
     x,
     lines: filters.map(({ name: filter }, index): PlotLine => ({
       ...lineLook(filter),

@@ -26,6 +26,10 @@ const SAME = 1e-3;
 const MOST_DIGITS = 6;
 /** So many times better or worse is a matter of the integration, not of chance. */
 const FAR = 1.5;
+/** So many times worse a filter is lost. */
+const LOST = 10;
+/** An orientation that is so many times worse is worth a word. */
+const WORSE = 1.02;
 /** Times the claimed square of the error from which a claim is plainly wrong, and up to which it is plainly right. */
 const [WRONG, RIGHT] = [4, 1.5];
 
@@ -61,14 +65,15 @@ function agreement(levels: readonly Level[]): Finding[] | null {
   if (differ || levels.length === 1) return null;
   const still = levels.every(({ stretch }) => stretch - 1 < TELLING);
   const why = still ? "hardly anything turns, so R stays a rotation by itself" : "the ranges decide alone";
-  return [{ weight: 90, text: `All filters agree to ${formatReading(100 * TELLING)} %: ${why}.` }];
+  return [{ weight: 90, text: `All filters agree to half a per cent: ${why}.` }];
 }
 
 /** Euler's rule makes R longer with every turn. */
 function growth(levels: readonly Level[]): Finding | null {
-  const grown = levels.reduce((one, other) => (other.stretch > one.stretch ? other : one));
-  if (grown.stretch - 1 < TELLING) return null;
-  const text = `${grown.label}’s R has grown by ${grown.stretch.toFixed(3)}, and with it the accelerations R a.`;
+  const most = Math.max(...levels.map(({ stretch }) => stretch));
+  const grown = levels.find(({ stretch }) => apart(stretch, most) < TELLING);
+  if (!grown || most - 1 < TELLING) return null;
+  const text = `${grown.label}’s R has grown by ${grown.stretch.toFixed(3)}, and its accelerations R a with it.`;
   return { weight: 85, text };
 }
 
@@ -76,15 +81,10 @@ function growth(levels: readonly Level[]): Finding | null {
 function gain(levels: readonly Level[]): Finding | null {
   const [plain, manifold] = [pick(levels, ["ekf"]), pick(levels, ["ekf-rie"])];
   const bare = pick(levels, ["ekf-retraction"]);
-  if (!plain || !manifold) return bare && manifold ? { weight: 60, text: `${same(bare, manifold)}.` } : null;
+  if (!plain || !manifold) return null;
   const found = `EKFRie is ${compared(manifold.position, plain.position)} EKF`;
-  if (!bare) return { weight: 80, text: `${found}.` };
-  const what = manifold.position < plain.position ? "the gain is the retraction’s" : "so is its loss";
-  const alike = apart(bare.position, manifold.position) < SAME;
-  return {
-    weight: 80,
-    text: alike ? `${found}; ${same(bare, manifold)}: ${what}.` : `${found}; ${same(bare, manifold)}.`,
-  };
+  const telling = apart(plain.position, manifold.position) >= TELLING;
+  return { weight: 80, text: `${found}${bare ? alone(bare, manifold, telling) : ""}.` };
 }
 
 /** "9 % better than", "5 times as good as". */
@@ -93,17 +93,17 @@ function compared(mine: number, other: number): string {
   if (Math.abs(ratio - 1) < TELLING) return "as good as";
   if (ratio >= 2) return `${formatTimes(ratio)} times as good as`;
   if (ratio <= 0.5) return `${formatTimes(1 / ratio)} times as bad as`;
-  const percent = formatReading(Math.round(100 * Math.abs(mine / other - 1)));
+  const percent = Math.max(1, Math.round(100 * Math.abs(mine / other - 1)));
   return `${percent} % ${ratio > 1 ? "better" : "worse"} than`;
 }
 
-function same(bare: Level, manifold: Level): string {
+/** How much of it retraction does without transport; `telling` where there is something to do. */
+function alone(bare: Level, manifold: Level, telling: boolean): string {
   const difference = apart(bare.position, manifold.position);
-  if (difference < SAME) {
-    const digits = Math.min(MOST_DIGITS, Math.floor(-Math.log10(Math.max(difference, 1e-12))));
-    return `retraction alone equals it to ${countOf(digits)} digits`;
-  }
-  return `retraction alone is ${compared(bare.position, manifold.position)} it`;
+  if (difference >= SAME) return `; retraction alone is ${compared(bare.position, manifold.position)} it`;
+  const digits = Math.min(MOST_DIGITS, Math.floor(-Math.log10(Math.max(difference, 1e-12))));
+  const equals = `alone equals it to ${countOf(digits)} digits`;
+  return telling ? `, all by retraction: that ${equals}` : `; retraction ${equals}`;
 }
 
 /** What an integrator that fits the samples does, or one that does not. */
@@ -113,9 +113,9 @@ function integration(levels: readonly Level[], convention: Convention): Finding 
   const ratio = euler.position / exact.position;
   const metres = `${formatReading(exact.position)} m`;
   if (ratio > FAR) {
-    const why = convention === "mean" ? ": its integration matches ‘mean’ samples" : "";
-    const text = `${exact.label} integrates exactly and is ${formatTimes(ratio)} times as good (${metres})${why}.`;
-    return { weight: 75, text };
+    const who =
+      convention === "mean" ? "whose integration matches ‘mean’ samples" : "which integrates exactly";
+    return { weight: ratio > LOST ? 84 : 75, text: `${exact.label}, ${who}, is ${formatTimes(ratio)} times as good: ${metres}.` };
   }
   if (ratio < 1 / FAR) {
     const why =
@@ -131,16 +131,16 @@ function integration(levels: readonly Level[], convention: Convention): Finding 
 }
 
 function formatTimes(ratio: number): string {
-  return ratio < 10 ? ratio.toFixed(1).replace(/\.0$/, "") : formatReading(Math.round(ratio));
+  return ratio < 10 ? ratio.toFixed(1).replace(/\.0$/, "") : String(Math.round(ratio));
 }
 
 /** Where the Q-factor turns less well than Euler's rule and a polar factor at the end. */
 function orientation(levels: readonly Level[]): Finding | null {
   const [plain, manifold] = [pick(levels, ["ekf"]), pick(levels, ["ekf-rie"])];
-  if (!plain || !manifold || manifold.angle / plain.angle < 1.02) return null;
+  if (!plain || !manifold || manifold.angle / plain.angle < WORSE) return null;
   return {
-    weight: 70,
-    text: `Its orientation is worse: ${degrees(manifold)} against ${degrees(plain)}.`,
+    weight: manifold.angle / plain.angle > FAR ? 83 : 60,
+    text: `EKFRie’s orientation is worse: ${degrees(manifold)} against ${degrees(plain)}.`,
   };
 }
 

@@ -16,8 +16,7 @@ export const STRETCH = {
   title: "Singular values of R",
   shortTitle: "R",
   unit: "",
-  scale: "linear",
-  note: "1 for a rotation; dotted: the least",
+  note: "dotted: the least",
 } as const;
 
 /** Degrees of freedom of the NEES: orientation, position, velocity. */

@@ -54,7 +54,7 @@ export function onRanges(sigma: number, beacons: number): Caution {
       text: `${beacons === 1 ? "One beacon gives" : `${beacons} beacons give`} no fix: only the MEKF on ranges uses them.`,
       warning: true,
     };
-  return { text: `${formatReading(-20 * Math.log10(sigma))} dB in the paper.`, warning: false };
+  return { text: `${formatReading(-20 * Math.log10(sigma))} dB as the paper counts it.`, warning: false };
 }
 
 export function onPrior(prior: StartPrior): Caution {
