@@ -1,6 +1,7 @@
 //! Studies of the Anchorless lab: one trial as a document, or many in blocks.
 
 pub mod block;
+pub mod bounds;
 pub mod errors;
 pub mod monte_carlo;
 pub mod report;

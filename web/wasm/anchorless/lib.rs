@@ -2,6 +2,7 @@
 //!
 //! It is a thin facade over rangelab. What goes wrong is thrown as an `Error` whose message is a sentence.
 
+mod bounds;
 mod run;
 mod study;
 
@@ -12,6 +13,7 @@ use rangelab::study::kinematics::spectrum::gram_spectrum;
 use rangelab_wasm_shared::{complaints, json};
 use wasm_bindgen::prelude::*;
 
+pub use bounds::{anchorless_bounds, anchorless_covariances, swept_bounds};
 pub use run::AnchorlessTrial;
 pub use study::{AnchorlessSum, anchorless_block, anchorless_trials_per_block};
 

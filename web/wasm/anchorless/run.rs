@@ -53,15 +53,21 @@ impl AnchorlessTrial {
         json(&self.run.estimators.iter().map(told).collect::<Vec<_>>())
     }
 
-    /// A derivative of the true motion, centred: positions (m), velocities (m/s) or accelerations (m/s^2), K x N x D.
-    pub fn truth(&self, derivative: usize) -> Vec<f64> {
-        self.over_time(&self.truth, derivative)
+    /// The true positions, centred, m: K x N x D.
+    pub fn truth(&self) -> Vec<f64> {
+        self.over_time(&self.truth)
     }
 
-    /// What an estimator found less the truth, after its one alignment at time 0: K x N x D; empty where it finds no motion.
-    pub fn errors(&self, estimator: usize, derivative: usize) -> Vec<f64> {
-        let errors = self.errors[estimator].as_ref();
-        errors.map(|errors| self.over_time(errors, derivative)).unwrap_or_default()
+    /// The positions that an estimator found less the truth, after its one alignment at time 0, m: K x N x D; empty where it
+    /// finds no motion.
+    pub fn errors(&self, estimator: usize) -> Vec<f64> {
+        self.errors[estimator].as_ref().map(|errors| self.over_time(errors)).unwrap_or_default()
+    }
+
+    /// `Y_l` as an estimator found it less the truth, after its one alignment, m/s^l: N x D; empty where there is none.
+    pub fn coefficient_error(&self, estimator: usize, l: usize) -> Vec<f64> {
+        let errors = self.errors[estimator].as_ref().and_then(|errors| errors.coefficients().get(l));
+        errors.map(|error| error.iter().copied().collect()).unwrap_or_default()
     }
 
     /// What an estimator of one epoch at a time found less the truth, each aligned by itself: stamps x N x D, NaN where a
@@ -103,7 +109,9 @@ impl AnchorlessTrial {
             if each.coefficients.is_empty() {
                 return Ok(None);
             }
-            let found = motion(&each.coefficients)?.with_degree(truth.degree());
+            let found = motion(&each.coefficients)?;
+            let degree = found.degree().max(truth.degree());
+            let (found, truth) = (found.with_degree(degree), truth.with_degree(degree));
             let pairs = found.coefficients().iter().zip(truth.coefficients());
             RelativeKinematics::new(pairs.map(|(found, truth)| found - truth).collect()).map(Some)
         };
@@ -116,9 +124,9 @@ impl AnchorlessTrial {
         &self.run
     }
 
-    fn over_time(&self, motion: &RelativeKinematics, derivative: usize) -> Vec<f64> {
-        let at = |&time: &f64| motion.derivative(derivative, time).data.into();
-        self.run.instants.iter().flat_map(|time| -> Vec<f64> { at(time) }).collect()
+    fn over_time(&self, motion: &RelativeKinematics) -> Vec<f64> {
+        let at = |&time: &f64| -> Vec<f64> { motion.positions(time).data.into() };
+        self.run.instants.iter().flat_map(at).collect()
     }
 }
 
