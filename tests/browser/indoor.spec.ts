@@ -148,7 +148,10 @@ test("bad input is refused in a sentence, and the last good scene stays", async 
   await expect(lab.alert).toContainText("This link holds a scenario that does not work: imu.rate_hz");
   await page.evaluate((hash) => (location.hash = hash), pack({ version: 1, imu: {}, beacon: [] }));
   await expect(lab.alert).toContainText("beacon");
-  await page.evaluate((hash) => (location.hash = hash), pack({ version: 1, imu: {}, view: { lab: "track" } }));
+  await page.evaluate(
+    (hash) => (location.hash = hash),
+    pack({ version: 1, imu: {}, view: { lab: "track" } }),
+  );
   await expect(lab.alert).toContainText("This link holds a scenario that does not work");
   await lab.type("Transmitter 2, x", "0.05");
   await expect.poll(() => errors(page).innerText()).toBe(before);

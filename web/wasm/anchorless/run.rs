@@ -30,6 +30,20 @@ struct Told<'a> {
     iterations: usize,
 }
 
+impl<'a> Told<'a> {
+    fn of(each: &'a KinematicsEstimatorRun) -> Self {
+        Self {
+            name: each.name.name(),
+            label: &each.label,
+            failure: &each.failure,
+            coefficient_errors: &each.coefficient_errors,
+            gram_errors: &each.gram_errors,
+            acceleration_margin: each.acceleration_margin,
+            iterations: each.iterations,
+        }
+    }
+}
+
 #[wasm_bindgen]
 impl AnchorlessTrial {
     /// The instants at which the motion is played, s: K.
@@ -44,13 +58,7 @@ impl AnchorlessTrial {
 
     /// The estimators: JSON `[{name, label, failure, coefficient_errors, gram_errors, acceleration_margin, iterations}]`.
     pub fn estimators(&self) -> String {
-        let told = |each| {
-            let KinematicsEstimatorRun { name, label, failure, coefficient_errors, gram_errors, .. } = each;
-            let KinematicsEstimatorRun { acceleration_margin, iterations, .. } = *each;
-            let name = name.name();
-            Told { name, label, failure, coefficient_errors, gram_errors, acceleration_margin, iterations }
-        };
-        json(&self.run.estimators.iter().map(told).collect::<Vec<_>>())
+        json(&self.run.estimators.iter().map(Told::of).collect::<Vec<_>>())
     }
 
     /// The true positions, centred, m: K x N x D.

@@ -53,9 +53,7 @@ export interface KinematicsTrial {
 let known: readonly KinematicsPreset[] | null = null;
 
 export function anchorlessPresets(): readonly KinematicsPreset[] {
-  known ??= JSON.parse(
-    anchorlessModule.call(() => wasm.anchorless_presets()),
-  ) as readonly KinematicsPreset[];
+  known ??= JSON.parse(anchorlessModule.call(() => wasm.anchorless_presets())) as readonly KinematicsPreset[];
   return known;
 }
 

@@ -41,12 +41,7 @@ export function truePlace(run: AnchorlessRun, step: number, node: number): Vec3 
 }
 
 /** What an estimator is off at a step, m, not magnified; null where it has no place for the node. */
-export function errorAt(
-  run: AnchorlessRun,
-  found: KinematicsFound,
-  step: number,
-  node: number,
-): Vec3 | null {
+export function errorAt(run: AnchorlessRun, found: KinematicsFound, step: number, node: number): Vec3 | null {
   if (found.errors.length > 0) return rowAt(run, found.errors, step, node);
   if (found.snapshotErrors.length === 0) return null;
   const error = rowAt(run, found.snapshotErrors, nearestStamp(run, step), node);

@@ -20,7 +20,11 @@ export interface EstimatorGroup {
   readonly estimators: readonly KinematicsEstimator[];
 }
 
-const [DASH, DOTS] = [[7, 4], [2, 3]];
+const [DASH, LONG, DOTS] = [
+  [7, 4],
+  [14, 4],
+  [2, 3],
+];
 
 /** The four solvers of the second stage of both algorithms: one colour each, told apart by mark and dash. */
 function solvers(algorithm: 1 | 2, token: string): KinematicsEstimator[] {
@@ -42,7 +46,7 @@ function solvers(algorithm: 1 | 2, token: string): KinematicsEstimator[] {
   return [
     of("rank1", "rank one", "no division", "square", []),
     of("so", "O(D)", "least squares", "triangle", DASH),
-    of("lifted", "lifted", "linear, projected", "diamond", DASH),
+    of("lifted", "lifted", "linear, projected", "diamond", LONG),
     of("literal", "as printed", "divides by h", "cross", DOTS),
   ];
 }

@@ -95,9 +95,15 @@ function paperBeaten(levels: readonly Level[]): Finding | null {
   const [one, other] = [distances.label, second.label];
   const far = formatReading(Math.max(ratio, 1 / ratio));
   if (ratio > TELLING)
-    return { weight: 70, text: `Without accelerometers ${one} finds velocities ${far} times better than ${other} with them.` };
+    return {
+      weight: 70,
+      text: `Without accelerometers ${one} finds velocities ${far} times better than ${other} with them.`,
+    };
   if (1 / ratio > TELLING)
-    return { weight: 60, text: `${other} finds velocities ${far} times better than the best from distances, ${one}.` };
+    return {
+      weight: 60,
+      text: `${other} finds velocities ${far} times better than the best from distances, ${one}.`,
+    };
   return null;
 }
 

@@ -77,7 +77,15 @@ export function placedBack(gauge: Gauge, point: readonly number[]): number[] {
 /** Quarter turns are exact. */
 function cosineAndSine(degrees: number): readonly [number, number] {
   const quarter = (((degrees / 90) % 4) + 4) % 4;
-  if (Number.isInteger(quarter)) return ([[1, 0], [0, 1], [-1, 0], [0, -1]] as const)[quarter];
+  if (Number.isInteger(quarter))
+    return (
+      [
+        [1, 0],
+        [0, 1],
+        [-1, 0],
+        [0, -1],
+      ] as const
+    )[quarter];
   const angle = (degrees * Math.PI) / 180;
   return [Math.cos(angle), Math.sin(angle)];
 }
@@ -116,9 +124,9 @@ export function evidenceOf(scenario: Scenario, times: ArrayLike<number>): GaugeE
     const [here, there] = [distancesAt(before, time), distancesAt(after, time)];
     here.forEach((value, pair) => (distance = Math.max(distance, Math.abs(value - there[pair]))));
   }
-  const arrows = before.slice(1).flatMap((points, l) =>
-    points.map((vector, node) => [vector, after[l + 1][node]] as const),
-  );
+  const arrows = before
+    .slice(1)
+    .flatMap((points, l) => points.map((vector, node) => [vector, after[l + 1][node]] as const));
   const lengths = arrows.map(([one, other]) => Math.abs(Math.hypot(...one) - Math.hypot(...other)));
   return { distance, arrow: Math.max(0, ...lengths), turn: unevenness(arrows, gaugeOf(scenario).mirrored) };
 }

@@ -10,12 +10,21 @@ export interface Hint {
 }
 
 /** Arrows reach where the velocity alone, or the acceleration alone, would carry a node in this time. */
-export const ARROWS: Hint = { key: "arrow_seconds", label: "Arrows reach", unit: "s", least: 1e-3, most: 1e7 };
+export const ARROWS: Hint = {
+  key: "arrow_seconds",
+  label: "Arrows reach",
+  unit: "s",
+  least: 1e-3,
+  most: 1e7,
+};
 /** How many times larger errors are drawn than they are. */
 export const ERRORS: Hint = { key: "error_scale", label: "Errors drawn", unit: "×", least: 1, most: 1e9 };
 
 /** A hint may be anything: a link can be written by hand. */
-export function hintOf({ view }: Pick<KinematicsScenario, "view">, { key, least, most }: Hint): number | null {
+export function hintOf(
+  { view }: Pick<KinematicsScenario, "view">,
+  { key, least, most }: Hint,
+): number | null {
   const value = view?.[key];
   return typeof value === "number" && value >= least && value <= most ? value : null;
 }

@@ -29,7 +29,9 @@ export const lab: Lab<AnchorlessRun, KinematicsScenario> = {
   compute: runOf,
   shows: "Mobile nodes, their arrows and their estimates in space",
   layers: [ground, distances, uncertainty, motion, arrows, estimates, handleMarks, anchors],
-  uncertainty: { position: "Ellipses hold 95 % of the positions that the bounds allow, drawn larger as the errors are" },
+  uncertainty: {
+    position: "Ellipses hold 95 % of the positions that the bounds allow, drawn larger as the errors are",
+  },
   handles,
   labels: (input) => [...anchorLabels(input), ...handleLabels(input), ...groundLabels(input)],
   note,

@@ -33,7 +33,9 @@ export function runOf(scenario: KinematicsScenario): AnchorlessRun {
   const dimension = dimensionOf(scenario);
   // The engine centres every motion: the middle of the network is what that takes away.
   const middles = coefficients.map((points) => [middleOf(points)]);
-  const identity = Array.from({ length: dimension * dimension }, (_, i) => (i % (dimension + 1) === 0 ? 1 : 0));
+  const identity = Array.from({ length: dimension * dimension }, (_, i) =>
+    i % (dimension + 1) === 0 ? 1 : 0,
+  );
   return {
     dimension,
     steps: times.length,

@@ -27,7 +27,8 @@ export function spectrumPlots({ spectrum, anchors, dimension, scenario }: Anchor
     {
       ...common,
       name: "anchorless-spectrum-top",
-      title: degree === 2 ? "Spectrum of the accelerations’ Gram matrix" : `Spectrum of Y${degree}ᵀ Y${degree}`,
+      title:
+        degree === 2 ? "Spectrum of the accelerations’ Gram matrix" : `Spectrum of Y${degree}ᵀ Y${degree}`,
       shortTitle: degree === 2 ? "Spectrum, accelerations" : `Spectrum, Y${degree}`,
       unit: degree === 0 ? "m²" : degree === 1 ? "m²/s²" : `m²/s^${2 * degree}`,
       note,
@@ -47,11 +48,18 @@ function dots(
   mark: "ring" | "square",
   values: readonly number[],
 ): PlotLine[] {
-  const part = (sign: 1 | -1) => Float64Array.from(values, (value) => (sign * value > 0 ? sign * value : NaN));
+  const part = (sign: 1 | -1) =>
+    Float64Array.from(values, (value) => (sign * value > 0 ? sign * value : NaN));
   const common = { token, dash: [], standardErrors: null, events: [], points: true };
   return [
     { ...common, name, label, mark, values: part(1) },
-    { ...common, name: `${name}-negative`, label: `${label}, negative`, mark: "cross" as const, values: part(-1) },
+    {
+      ...common,
+      name: `${name}-negative`,
+      label: `${label}, negative`,
+      mark: "cross" as const,
+      values: part(-1),
+    },
   ].filter((line) => line.values.some(Number.isFinite));
 }
 
