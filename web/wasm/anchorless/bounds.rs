@@ -17,6 +17,15 @@ pub fn anchorless_bounds(scenario: &str, instants: &[f64]) -> Result<String, JsE
     Ok(json(&kinematics_bounds(&KinematicsScenario::from_json(scenario)?, instants)?))
 }
 
+/// The instants of a kinematics scenario (JSON), s: those at which a study compares positions.
+///
+/// # Errors
+/// A sentence with every problem of the scenario.
+#[wasm_bindgen]
+pub fn anchorless_instants(scenario: &str) -> Result<Vec<f64>, JsError> {
+    Ok(KinematicsScenario::from_json(scenario)?.instants())
+}
+
 /// The bounds of the coefficients at each of some numbers of stamps: a JSON list of the crate's `KinematicsBounds`.
 ///
 /// # Errors

@@ -96,9 +96,13 @@ pub(crate) fn scenarios(scenario: &str, counts: &[u32]) -> Result<Vec<Kinematics
     if counts.is_empty() {
         return Ok(vec![scenario]);
     }
-    let times = scenario.stamps.times();
-    let first = times.iter().copied().fold(f64::INFINITY, f64::min);
-    let last = times.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let (first, last) = match &scenario.stamps {
+        Stamps::Regular { first, last, .. } => (*first, *last),
+        Stamps::Listed { times } => (
+            times.iter().copied().fold(f64::INFINITY, f64::min),
+            times.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+        ),
+    };
     let with = |&count: &u32| {
         let stamps = Stamps::Regular { first, last, count: count as usize };
         let swept = KinematicsScenario { stamps, ..scenario.clone() };

@@ -110,9 +110,12 @@ export function anchorlessBounds(scenario: KinematicsScenario, instants: Float64
   return JSON.parse(anchorlessModule.call(() => wasm.anchorless_bounds(JSON.stringify(scenario), instants)));
 }
 
-/** The bounds of the coefficients at each number of stamps. Throws an `Error` with a sentence. */
-export function sweptBounds(scenario: KinematicsScenario, counts: Uint32Array): KinematicsBounds[] {
-  return JSON.parse(anchorlessModule.call(() => wasm.swept_bounds(JSON.stringify(scenario), counts)));
+/** The bounds that a study stands beside: of the coefficients at each number of stamps, else of all over time. */
+function studiedBounds(scenario: KinematicsScenario, counts: Uint32Array): KinematicsBounds[] {
+  const text = JSON.stringify(scenario);
+  if (counts.length > 0) return JSON.parse(anchorlessModule.call(() => wasm.swept_bounds(text, counts)));
+  const instants = anchorlessModule.call(() => wasm.anchorless_instants(text));
+  return [anchorlessBounds(scenario, instants)];
 }
 
 /** The bound on the covariance of each node's position at a time (s), m²: N x D x D. Throws where there is none. */
@@ -130,19 +133,54 @@ export function anchorlessTrialsPerBlock(): number {
   return wasm.anchorless_trials_per_block();
 }
 
-/** Sums over one block of trials at each number of stamps, for `AnchorlessSum.push`; they mean nothing by themselves. */
+/**
+ * Sums over one block of trials at each number of stamps, for `AnchorlessSum.push`; they mean nothing by themselves. The
+ * first block brings the bounds with it: they take longer than the page could wait for.
+ */
 export function anchorlessBlock(
   scenario: KinematicsScenario,
   counts: Uint32Array,
   firstTrial: number,
 ): Float64Array {
-  return anchorlessModule.call(() => wasm.anchorless_block(JSON.stringify(scenario), counts, firstTrial));
+  const text = JSON.stringify(scenario);
+  const block = anchorlessModule.call(() => wasm.anchorless_block(text, counts, firstTrial));
+  const bounds = firstTrial === 0 ? flat(studiedBounds(scenario, counts)) : [];
+  return Float64Array.of(bounds.length, ...bounds, ...block);
+}
+
+const KINDS = ["distances", "accelerometers"] as const;
+const CURVES = ["coefficients", "positions", "aligned_positions"] as const;
+
+/** Each curve after its length. Why there is no bound is not among numbers: whoever asks for it asks again. */
+function flat(all: readonly KinematicsBounds[]): number[] {
+  const curves = all.flatMap((bounds) => KINDS.flatMap((kind) => CURVES.map((curve) => bounds[kind][curve])));
+  return curves.flatMap((values) => [values.length, ...values]);
+}
+
+function unflat(numbers: Float64Array): KinematicsBounds[] {
+  let at = 0;
+  const next = () => {
+    const [from, length] = [at + 1, numbers[at]];
+    at = from + length;
+    return [...numbers.subarray(from, at)];
+  };
+  const curves = () => ({
+    failure: null,
+    coefficients: next(),
+    positions: next(),
+    aligned_positions: next(),
+  });
+  const all: KinematicsBounds[] = [];
+  while (at < numbers.length) all.push({ distances: curves(), accelerometers: curves() });
+  return all;
 }
 
 /** A study under way, at each number of stamps or at the scenario's own: the same bits as the command line's. */
 export class AnchorlessSum {
   readonly #sum: wasm.AnchorlessSum;
   readonly #generation = anchorlessModule.generation;
+  /** One for each number of stamps, once the first block is there. */
+  bounds: readonly KinematicsBounds[] = [];
 
   constructor(scenario: KinematicsScenario, counts: Uint32Array) {
     this.#sum = anchorlessModule.call(() => new wasm.AnchorlessSum(JSON.stringify(scenario), counts));
@@ -150,7 +188,9 @@ export class AnchorlessSum {
 
   /** Joins the trials that come next; throws where `block` is not that. */
   push(block: Float64Array): void {
-    anchorlessModule.call(() => this.#sum.push(block));
+    const [length] = block;
+    if (length > 0) this.bounds = unflat(block.subarray(1, 1 + length));
+    anchorlessModule.call(() => this.#sum.push(block.subarray(1 + length)));
   }
 
   /** One report for each number of stamps. */

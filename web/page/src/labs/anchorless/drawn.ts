@@ -28,6 +28,21 @@ export function errorScale({ run, frame }: Pick<Input, "run" | "frame">): number
   return Math.max(1, niceBelow((LARGEST_ERROR * frame.radius) / largest));
 }
 
+/** The same for the ends of the arrows. */
+export function arrowScale({ run, frame }: Pick<Input, "run" | "frame">): number {
+  if (!run) return 1;
+  const asked = hintOf(run.scenario, ERRORS);
+  if (asked !== null) return asked;
+  const lengths = ARROW_KINDS.map(({ l }) => reach(run.scenario, l));
+  const largest = Math.max(
+    0,
+    ...run.trial.estimators.flatMap(({ coefficient_errors }) =>
+      lengths.map((length, index) => length * (coefficient_errors[index + 1] ?? 0)),
+    ),
+  );
+  return largest > 0 ? Math.max(1, niceBelow((LARGEST_ERROR * frame.radius) / largest)) : 1;
+}
+
 /** Row `node` of an instant in K x N x D numbers. */
 function rowAt(run: AnchorlessRun, values: Float64Array, step: number, node: number): Vec3 {
   const at = (step * run.anchors.length + node) * run.dimension;
@@ -85,11 +100,7 @@ export function foundArrow(
     return lift(values.subarray(node * run.dimension, (node + 1) * run.dimension));
   };
   const tip = add(errorOf(0), scale(errorOf(l), reach(run.scenario, l)));
-  return {
-    l,
-    from: add(from, scale(errorOf(0), magnification)),
-    to: add(to, scale(tip, magnification)),
-  };
+  return { l, from: add(from, scale(errorOf(0), magnification)), to: add(to, scale(tip, magnification)) };
 }
 
 const trails = new WeakMap<AnchorlessRun, Float32Array[]>();

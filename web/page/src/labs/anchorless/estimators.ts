@@ -27,12 +27,12 @@ const [DASH, LONG, DOTS] = [
 ];
 
 /** The four solvers of the second stage of both algorithms: one colour each, told apart by mark and dash. */
-function solvers(algorithm: 1 | 2, token: string): KinematicsEstimator[] {
+function solvers(algorithm: 1 | 2, token: string, marks: readonly Shape[]): KinematicsEstimator[] {
   const of = (
     solver: "rank1" | "so" | "lifted" | "literal",
     label: string,
     meaning: string,
-    mark: Shape,
+    index: number,
     dash: readonly number[],
   ): KinematicsEstimator => ({
     name: `algorithm-${algorithm}-${solver}`,
@@ -40,20 +40,26 @@ function solvers(algorithm: 1 | 2, token: string): KinematicsEstimator[] {
     meaning,
     senses: algorithm === 2,
     token,
-    mark,
+    mark: marks[index],
     dash,
   });
   return [
-    of("rank1", "rank one", "no division", "square", []),
-    of("so", "O(D)", "least squares", "triangle", DASH),
-    of("lifted", "lifted", "linear, projected", "diamond", LONG),
-    of("literal", "as printed", "divides by h", "cross", DOTS),
+    of("rank1", "rank one", "no division", 0, []),
+    of("so", "O(D)", "least squares", 1, DASH),
+    of("lifted", "lifted", "linear, projected", 2, LONG),
+    of("literal", "as printed", "divides by h", 3, DOTS),
   ];
 }
 
 export const GROUPS: readonly EstimatorGroup[] = [
-  { title: "Algorithm 1: distances", estimators: solvers(1, "kf") },
-  { title: "Algorithm 2: and accelerometers", estimators: solvers(2, "ortho") },
+  {
+    title: "Algorithm 1: distances",
+    estimators: solvers(1, "kf", ["square", "triangle", "diamond", "cross"]),
+  },
+  {
+    title: "Algorithm 2: and accelerometers",
+    estimators: solvers(2, "ortho", ["triangle", "square", "ring", "cross"]),
+  },
   {
     title: "Beyond the paper",
     estimators: [

@@ -8,26 +8,21 @@ import type { AnchorlessRun } from "./run";
 import type { StampAverages } from "./study";
 import type { SweepAverages } from "./sweep";
 
-/** An average this near its bound is at it; one trial is anywhere around. */
+/** An average this near its bound is at it. */
 const AT_BOUND = 1.15;
 /** So many times better is worth a sentence. */
 const TELLING = 1.15;
 /** An error that shrinks this many times when it is aligned anew was a turn of the whole network. */
 const A_TURN = 3;
-const VELOCITY = 1;
+const [VELOCITY, ACCELERATION] = [1, 2];
+/** Errors of one trial differ by chance, but not this much. */
+const BEYOND_CHANCE = 5;
 
-/** What one trial shows, in up to three sentences. */
+/** What one trial shows, in up to three sentences: what is no matter of chance. */
 export function describe(run: AnchorlessRun): string {
   if (run.trial.estimators.length === 0) return "No estimator is switched on.";
   const levels = levelsOfRun(run);
-  const found = [
-    failing(run),
-    drowning(run),
-    paperBeaten(levels),
-    nearest(levels, "In this trial"),
-    turning(levels),
-    bought(run.bounds, levels),
-  ];
+  const found = [failing(run), drowning(run), farthest(levels), turning(levels), bought(run.bounds, levels)];
   return weightiest(found.filter((finding) => finding !== null));
 }
 
@@ -115,9 +110,8 @@ function nearest(levels: readonly Level[], where: string): Finding | null {
     .toSorted((one, other) => one.ratio - other.ratio);
   const [first, last] = [rated[0], rated.at(-1)];
   if (!first || !last) return null;
-  const average = first.level.standardErrors !== null;
   const near =
-    average && first.ratio < AT_BOUND
+    first.ratio < AT_BOUND
       ? `${first.level.label} is at its bound in velocity (${times(first)})`
       : `${first.level.label} is ${times(first)} its bound in velocity`;
   if (first === last) return { weight: 65, text: `${where}: ${near}.` };
@@ -128,6 +122,26 @@ function times({ level, ratio }: { level: Level; ratio: number }): string {
   const error = level.standardErrors?.[VELOCITY];
   const spread = error === undefined ? "" : ` ± ${formatReading((error * ratio) / level.errors[VELOCITY])}`;
   return `${formatReading(ratio)}${spread} ×`;
+}
+
+/** The largest difference between two estimators in one trial, where it is larger than chance makes it. */
+function farthest(levels: readonly Level[]): Finding | null {
+  const [velocity, acceleration] = [VELOCITY, ACCELERATION].map((l) => {
+    const errors = levels
+      .filter((level) => level.errors[l] > 0)
+      .toSorted((a, b) => a.errors[l] - b.errors[l]);
+    const [best, worst] = [errors[0], errors.at(-1)];
+    return best && worst ? { best, worst, ratio: worst.errors[l] / best.errors[l], l } : null;
+  });
+  const all = [velocity, acceleration].filter((entry) => entry !== null && entry.ratio > BEYOND_CHANCE);
+  const [most] = all.toSorted((a, b) => b!.ratio - a!.ratio);
+  if (!most) return null;
+  const what = most.l === VELOCITY ? "velocity" : "acceleration";
+  const factor = formatReading(most.ratio);
+  return {
+    weight: 60,
+    text: `${most.worst.label} errs ${factor} times as much in ${what} as ${most.best.label}.`,
+  };
 }
 
 /** What grows away from time 0 is one turn of the whole network, where aligning anew takes it away. */

@@ -6,8 +6,8 @@ import { arrowSeconds } from "./hints";
 
 /** The arrows of a node at time 0: how the tip follows from the derivative, and what it is drawn with. */
 export const ARROW_KINDS = [
-  { l: 1, name: "velocity", token: "accent", mark: "triangle", unit: "m/s" },
-  { l: 2, name: "acceleration", token: "range", mark: "square", unit: "m/s²" },
+  { l: 1, name: "velocity", token: "anchor", mark: "triangle", unit: "m/s" },
+  { l: 2, name: "acceleration", token: "anchor", mark: "square", unit: "m/s²" },
 ] as const;
 
 /** Metres from a node to the tip for each unit of the derivative: the way in that time, t or t²/2. */

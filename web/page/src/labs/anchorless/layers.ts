@@ -2,7 +2,16 @@ import { ellipsoidAxes } from "../../scene/ellipsoid";
 import { add, length, lift, scale, sub } from "../../scene/geometry";
 import type { Layer } from "../../scene/input";
 import type { KinematicsScenario } from "../../generated/KinematicsScenario";
-import { across, errorAt, errorScale, foundArrow, trailsOf, trueArrows, truePlace } from "./drawn";
+import {
+  across,
+  arrowScale,
+  errorAt,
+  errorScale,
+  foundArrow,
+  trailsOf,
+  trueArrows,
+  truePlace,
+} from "./drawn";
 import { type BoundKind, boundKinds, estimatorOf } from "./estimators";
 import type { AnchorlessRun } from "./run";
 
@@ -12,14 +21,16 @@ type AnchorlessLayer = Layer<AnchorlessRun, KinematicsScenario>;
 const DASH = { 1: 0, 2: 5 } as const;
 
 /** While nodes are added or removed the scene is one step ahead of the run. */
-function fits({ run, room }: Parameters<AnchorlessLayer>[0]): run is AnchorlessRun {
-  return run?.anchors.length === room.anchors.length && run.dimension === room.dimension;
+function runThatFits({ run, room }: Parameters<AnchorlessLayer>[0]): AnchorlessRun | null {
+  const fits = run?.anchors.length === room.anchors.length && run.dimension === room.dimension;
+  return fits ? run : null;
 }
 
 /** The way of each node over the interval, and where it truly is at the step shown. */
 export const motion: AnchorlessLayer = (input, out) => {
-  const { run, step, palette } = input;
-  if (!run || !fits(input)) return;
+  const { step, palette } = input;
+  const run = runThatFits(input);
+  if (!run) return;
   trailsOf(run).forEach((trail, node) => {
     out.path(trail, step, run.steps - 1, { width: 1.5, color: palette.rgba("truth", 0.3) });
     out.path(trail, 0, step, { width: 3, color: palette.rgba("truth") });
@@ -29,8 +40,9 @@ export const motion: AnchorlessLayer = (input, out) => {
 
 /** What the bounds allow at the step shown, 95 %, drawn as much larger as the errors are. */
 export const uncertainty: AnchorlessLayer = (input, out) => {
-  const { run, step, palette, frame } = input;
-  if (!run || !fits(input) || !input.uncertainty.position) return;
+  const { step, palette, frame } = input;
+  const run = runThatFits(input);
+  if (!run || !input.uncertainty.position) return;
   const opacity: Record<BoundKind, number> = { distances: 0.16, accelerometers: 0.28 };
   const magnification = errorScale(input);
   for (const kind of boundKinds(run.scenario.estimators.enabled)) {
@@ -54,9 +66,10 @@ export const arrows: AnchorlessLayer = (input, out) => {
 
 /** What each estimator found: the nodes at the step shown, joined to where they truly are, and the arrows at time 0. */
 export const estimates: AnchorlessLayer = (input, out) => {
-  const { run, step, palette } = input;
-  if (!run || !fits(input)) return;
-  const [magnification, all] = [errorScale(input), trueArrows(input)];
+  const { step, palette } = input;
+  const run = runThatFits(input);
+  if (!run) return;
+  const [magnification, ofArrows, all] = [errorScale(input), arrowScale(input), trueArrows(input)];
   run.trial.estimators.forEach((found, index) => {
     const { token, mark } = estimatorOf(found.name);
     // Estimates that agree lie on each other: earlier ones are drawn larger and show as rims.
@@ -65,9 +78,9 @@ export const estimates: AnchorlessLayer = (input, out) => {
     all.forEach((ofNode, node) => {
       if (found.coefficientErrors[0].length > 0)
         for (const arrow of ofNode) {
-          const { l, from, to } = foundArrow(run, found, node, arrow, magnification);
-          out.line(from, to, { width: 1.25 + 0.5 * rim, color, dash: DASH[l] });
-          out.point(to, 2.5 + rim, color, mark);
+          const { l, from, to } = foundArrow(run, found, node, arrow, ofArrows);
+          out.line(from, to, { width: 1.25 + rim, color, dash: DASH[l] });
+          out.point(to, 2 + 0.75 * rim, color, mark);
         }
       const error = errorAt(run, found, step, node);
       if (!error) return;

@@ -1,7 +1,7 @@
 import type { KinematicsFound } from "../../engine";
 import type { KinematicsScenario } from "../../generated/KinematicsScenario";
 import { type PlotAxis, type PlotLine, type PlotSpec, timeAxis } from "../../plots/spec";
-import { boundKinds, boundLook, lineLook } from "./estimators";
+import { lineLook } from "./estimators";
 import type { AnchorlessRun } from "./run";
 import { spectrumPlots } from "./spectrum";
 
@@ -17,17 +17,15 @@ export function plots(_scenario: KinematicsScenario, run: AnchorlessRun): PlotSp
     {
       ...common,
       ...ONE,
-      title: "Position error, one alignment at t = 0",
-      lines: [...timeBounds(run, "positions"), ...lines(estimators, (found) => found.positionErrors)],
+      title: "Error, one alignment",
+      lines: lines(estimators, (found) => found.positionErrors),
+      note: "at t = 0, for all t",
     },
     {
       ...common,
       ...EACH,
-      title: "Position error, aligned at each t",
-      lines: [
-        ...timeBounds(run, "aligned_positions"),
-        ...lines(estimators, (found) => found.alignedPositionErrors),
-      ],
+      title: "Error, aligned at each t",
+      lines: lines(estimators, (found) => found.alignedPositionErrors),
     },
     ...spectrumPlots(run),
   ];
@@ -37,19 +35,6 @@ function lines(all: readonly KinematicsFound[], pick: (found: KinematicsFound) =
   return all
     .filter((found) => pick(found).length > 0)
     .map((found) => ({ ...lineLook(found.name), values: pick(found), standardErrors: null }));
-}
-
-export function timeBounds(
-  { bounds, scenario }: Pick<AnchorlessRun, "bounds" | "scenario">,
-  of: "positions" | "aligned_positions",
-): PlotLine[] {
-  return boundKinds(scenario.estimators.enabled)
-    .filter((kind) => bounds[kind][of].length > 0)
-    .map((kind) => ({
-      ...boundLook(kind),
-      values: Float64Array.from(bounds[kind][of]),
-      standardErrors: null,
-    }));
 }
 
 /** Along it lie the numbers 1, 2, … */

@@ -19,11 +19,13 @@ export interface AnchorlessRun extends LabRun {
   readonly scenario: KinematicsScenario;
   readonly trial: KinematicsTrial;
   readonly spectrum: GramSpectrum;
-  /** Of the coefficients, and of the positions at the run's times. */
+  /** Of the coefficients alone: a curve over time takes longer than a drag waits. */
   readonly bounds: KinematicsBounds;
   /** The bound on the covariance of each node's position at a step, m²: N x D x D; null where there is none. */
   covariances(kind: BoundKind, step: number): Float64Array | null;
 }
+
+const NO_INSTANTS = Float64Array.of();
 
 export function runOf(scenario: KinematicsScenario): AnchorlessRun {
   const coefficients = seen(scenario);
@@ -48,7 +50,7 @@ export function runOf(scenario: KinematicsScenario): AnchorlessRun {
     scenario,
     trial,
     spectrum: anchorlessSpectrum(moved, 0),
-    bounds: anchorlessBounds(moved, times),
+    bounds: anchorlessBounds(moved, NO_INSTANTS),
     covariances: remembered((kind, step) => {
       try {
         return anchorlessCovariances(moved, kind === "accelerometers", times[step]);

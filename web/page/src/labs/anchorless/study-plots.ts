@@ -2,30 +2,30 @@ import type { Estimate } from "../../generated/Estimate";
 import type { KinematicsEstimatorReport } from "../../generated/KinematicsEstimatorReport";
 import type { KinematicsScenario } from "../../generated/KinematicsScenario";
 import { type PlotLine, type PlotSpec, timeAxis } from "../../plots/spec";
-import { lineLook } from "./estimators";
-import { EACH, ONE, PLAIN, timeBounds } from "./plots";
+import { boundKinds, boundLook, lineLook } from "./estimators";
+import { EACH, ONE, PLAIN } from "./plots";
 import type { StampAverages } from "./study";
 
 /** The positions over time as averages over trials, beside their bounds. */
 export function studyPlots(averages: StampAverages, scenario: KinematicsScenario): PlotSpec[] {
   const common = { ...PLAIN, x: timeAxis(Float64Array.from(averages.instants)) };
-  const bounded = { bounds: averages.bounds, scenario };
   return [
     {
       ...common,
       ...ONE,
-      title: "Position RMSE, one alignment at t = 0",
+      title: "RMSE, one alignment",
+      note: "at t = 0, for all t",
       lines: [
-        ...timeBounds(bounded, "positions"),
+        ...boundLines(averages, scenario, "positions"),
         ...linesOf(averages.estimators, ({ summary }) => summary.positions),
       ],
     },
     {
       ...common,
       ...EACH,
-      title: "Position RMSE, aligned at each t",
+      title: "RMSE, aligned at each t",
       lines: [
-        ...timeBounds(bounded, "aligned_positions"),
+        ...boundLines(averages, scenario, "aligned_positions"),
         ...linesOf(averages.estimators, ({ summary }) => summary.aligned_positions),
       ],
     },
@@ -46,4 +46,18 @@ export function numbersOf(
 ): Pick<PlotLine, "values" | "standardErrors"> {
   const numbers = (of: keyof Estimate) => Float64Array.from(estimates, (estimate) => estimate?.[of] ?? NaN);
   return { values: numbers("value"), standardErrors: numbers("standard_error") };
+}
+
+function boundLines(
+  { bounds }: StampAverages,
+  { estimators }: KinematicsScenario,
+  of: "positions" | "aligned_positions",
+): PlotLine[] {
+  return boundKinds(estimators.enabled)
+    .filter((kind) => bounds[kind][of].length > 0)
+    .map((kind) => ({
+      ...boundLook(kind),
+      values: Float64Array.from(bounds[kind][of]),
+      standardErrors: null,
+    }));
 }

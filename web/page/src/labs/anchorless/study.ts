@@ -1,4 +1,4 @@
-import { anchorlessBounds, AnchorlessSum } from "../../engine";
+import { AnchorlessSum } from "../../engine";
 import type { KinematicsBounds } from "../../generated/KinematicsBounds";
 import type { KinematicsReport } from "../../generated/KinematicsReport";
 import type { KinematicsScenario } from "../../generated/KinematicsScenario";
@@ -44,13 +44,11 @@ function subjectOf(
     block: (firstTrial, trials): StampBlock => ({ scenario, counts: OWN_STAMPS, firstTrial, trials }),
     openSum() {
       const sum = new AnchorlessSum(scenario, OWN_STAMPS);
-      let bounds: KinematicsBounds | null = null;
       return {
         push: (block) => sum.push(block),
         read() {
           const [report] = sum.read();
-          bounds ??= anchorlessBounds(scenario, Float64Array.from(report.instants));
-          return { ...report, bounds };
+          return { ...report, bounds: sum.bounds[0] };
         },
         free: () => sum.free(),
       };

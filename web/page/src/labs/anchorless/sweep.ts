@@ -1,4 +1,4 @@
-import { AnchorlessSum, sweptBounds } from "../../engine";
+import { AnchorlessSum } from "../../engine";
 import type { KinematicsBounds } from "../../generated/KinematicsBounds";
 import type { KinematicsReport } from "../../generated/KinematicsReport";
 import type { KinematicsScenario } from "../../generated/KinematicsScenario";
@@ -56,13 +56,11 @@ function subjectOf(
     block: (firstTrial, trials): StampBlock => ({ scenario: swept, counts, firstTrial, trials }),
     openSum() {
       const sum = new AnchorlessSum(swept, counts);
-      let bounds: KinematicsBounds[] | null = null;
       return {
         push: (block) => sum.push(block),
         read() {
           const reports = sum.read();
-          bounds ??= sweptBounds(swept, counts);
-          return { trials: reports[0].trials, reports, bounds };
+          return { trials: reports[0].trials, reports, bounds: sum.bounds };
         },
         free: () => sum.free(),
       };

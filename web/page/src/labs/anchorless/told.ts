@@ -1,6 +1,6 @@
 import { formatNumber, formatPoint, formatReading } from "../../controls/format";
 import { asSentence } from "../../words";
-import { errorAt, errorScale, type Input } from "./drawn";
+import { arrowScale, errorAt, errorScale, type Input } from "./drawn";
 import { estimatorOf } from "./estimators";
 import { gaugeOf, isIdentity } from "./gauge";
 import { arrowSeconds } from "./hints";
@@ -10,10 +10,10 @@ export function note(input: Input): string {
   const { run, scenario, uncertainty } = input;
   if (!run) return "";
   const times = formatNumber(errorScale(input));
-  const of = uncertainty.position ? "Errors and 95 % ellipses of the bounds" : "Errors";
+  const of = uncertainty.position ? "Errors and 95 % ellipses" : "Errors";
   const parts = [
-    `${of} drawn ${times} × larger`,
-    `arrows: the way of ${formatNumber(arrowSeconds(scenario), 3)} s, dashed of the acceleration alone`,
+    `${of} drawn ${times} × larger, at arrows ${formatNumber(arrowScale(input))} ×`,
+    `arrows: the way in ${formatNumber(arrowSeconds(scenario), 3)} s by the velocity, dashed by the acceleration`,
     ...(isIdentity(gaugeOf(scenario)) ? [] : ["turned by the gauge"]),
   ];
   return parts.join("; ");
