@@ -10,10 +10,10 @@ export function note(input: Input): string {
   const { run, scenario, uncertainty } = input;
   if (!run) return "";
   const times = formatNumber(errorScale(input));
-  const of = uncertainty.position ? "Errors and 95 % ellipses" : "Errors";
+  const of = uncertainty.position ? "Errors, 95 % ellipses" : "Errors";
   const parts = [
-    `${of} drawn ${times} × larger, at arrows ${formatNumber(arrowScale(input))} ×`,
-    `arrows: the way in ${formatNumber(arrowSeconds(scenario), 3)} s by the velocity, dashed by the acceleration`,
+    `${of} drawn × ${times}, at arrows × ${formatNumber(arrowScale(input))}`,
+    `arrows: way in ${formatNumber(arrowSeconds(scenario), 3)} s`,
     ...(isIdentity(gaugeOf(scenario)) ? [] : ["turned by the gauge"]),
   ];
   return parts.join("; ");
