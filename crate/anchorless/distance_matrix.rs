@@ -10,8 +10,8 @@ use crate::model::kinematics::distance_record::pairs;
 /// ```
 /// use nalgebra::dmatrix;
 /// use rangelab::anchorless::distance_matrix::gram_matrix;
-/// // Three nodes on a line, at -1, 0 and 1.
-/// assert_eq!(gram_matrix(3, [1.0, 4.0, 1.0]), dmatrix![1.0, 0.0, -1.0; 0.0, 0.0, 0.0; -1.0, 0.0, 1.0]);
+/// // Two nodes, 2 m apart: they stand at -1 and 1.
+/// assert_eq!(gram_matrix(2, [4.0]), dmatrix![1.0, -1.0; -1.0, 1.0]);
 /// ```
 pub fn gram_matrix(nodes: usize, squared_distances: impl IntoIterator<Item = f64>) -> DMatrix<f64> {
     let mut gram = DMatrix::zeros(nodes, nodes);

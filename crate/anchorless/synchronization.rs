@@ -10,6 +10,7 @@ use super::polynomial_fit::{PolynomialFit, powers_of};
 use crate::error::{Error, Result};
 use crate::math::legendre::legendre_values;
 use crate::math::orthogonal::nearest_orthogonal;
+use crate::model::kinematics::coefficients::RelativeKinematics;
 use crate::model::kinematics::distance_record::DistanceRecord;
 use crate::model::kinematics::estimate::KinematicsEstimate;
 use crate::model::kinematics::pair_polynomial::chebyshev_nodes;
@@ -31,8 +32,8 @@ const MAX_DISTANCE: f64 = 1e30;
 /// sum_m c_mq R_m X_m = 0    for the M - L - 1 vectors c_q orthogonal to 1, t, ..., t^L
 /// ```
 ///
-/// This is linear in all `R_m` together; its D solutions are the least eigenvectors of the matrix of the blocks `(sum_q c_mq
-/// c_nq) X_m X_n^T`. Each block is then made orthogonal and the snapshots in one frame are fitted with degree L.
+/// This is linear in all `R_m` together; its D solutions are the last right singular vectors of the equations. Each block is
+/// then made orthogonal, and the snapshots in one frame are fitted with degree L.
 /// `M = max(2L + 3, ceil(((N - 1)(L + 1) - D)/(N - 1 - D)))` Chebyshev nodes: the second counts equations.
 ///
 /// It does not rest on any single coefficient, as \[A\] eq. 11 does on the last, and takes motions of any degree, in the plane
@@ -53,6 +54,24 @@ const MAX_DISTANCE: f64 = 1e30;
 /// # Ok::<(), rangelab::Error>(())
 /// ```
 pub fn snapshot_sync(record: &DistanceRecord, degree: usize) -> Result<KinematicsEstimate> {
+    let Synchronized { motion, fit, cost } = synchronized(record, degree)?;
+    Ok(KinematicsEstimate {
+        kinematics: Some(motion),
+        gram: fit.powers(),
+        cost,
+        ..KinematicsEstimate::default()
+    })
+}
+
+pub(super) struct Synchronized {
+    pub motion: RelativeKinematics,
+    /// Of the Gram matrix.
+    fit: GramFit,
+    cost: f64,
+}
+
+/// [`snapshot_sync`] in parts.
+pub(super) fn synchronized(record: &DistanceRecord, degree: usize) -> Result<Synchronized> {
     let (nodes, dimension) = (record.nodes(), record.dimension());
     let reason = "With fewer, any rotation at each instant is a polynomial motion too.";
     super::at_least_nodes(WHAT, nodes, dimension + 2, reason)?;
@@ -63,10 +82,8 @@ pub fn snapshot_sync(record: &DistanceRecord, degree: usize) -> Result<Kinematic
     let fit = GramFit::new(record, 2 * degree)?;
     let scale = record.time_scale();
     let instants = chebyshev_nodes(instant_count(nodes, dimension, degree));
-    let snapshots: Vec<DMatrix<f64>> = instants
-        .iter()
-        .map(|&s| classical_scaling(&fit.at(scale.time(s)), dimension).positions)
-        .collect();
+    let snapshots: Vec<DMatrix<f64>> =
+        instants.iter().map(|&s| classical_scaling(&fit.at(scale.time(s)), dimension).positions).collect();
     let polynomial = PolynomialFit::new(WHAT, &instants, degree)?;
     let (frames, cost) = common_frames(&snapshots, &orthogonal_to(&polynomial, &instants, degree))?;
     let mut values = DMatrix::zeros(instants.len(), dimension * nodes);
@@ -79,12 +96,7 @@ pub fn snapshot_sync(record: &DistanceRecord, degree: usize) -> Result<Kinematic
     let powers = powers_of(&(0..=degree).map(of_legendre).collect::<Vec<_>>());
     let stacked: Vec<f64> = powers.iter().flat_map(|power| power.iter().copied()).collect();
     let scaled = from_stacked_powers(dimension, nodes, &stacked).centred();
-    Ok(KinematicsEstimate {
-        kinematics: Some(scale.unscale(&scaled)),
-        gram: fit.powers(),
-        cost,
-        ..KinematicsEstimate::default()
-    })
+    Ok(Synchronized { motion: scale.unscale(&scaled), fit, cost })
 }
 
 /// M.
@@ -93,7 +105,8 @@ fn instant_count(nodes: usize, dimension: usize, degree: usize) -> usize {
     equations.max(2 * degree + 3)
 }
 
-/// `sum_q c_q c_q^T`: what is left of values at the instants once a polynomial of degree L is fitted to them.
+/// `sum_q c_q c_q^T`: what is left of values at the instants once a polynomial of degree L is fitted to them. Its columns say
+/// the same as all `c_q`.
 fn orthogonal_to(polynomial: &PolynomialFit, instants: &[f64], degree: usize) -> DMatrix<f64> {
     let identity = DMatrix::identity(instants.len(), instants.len());
     let values: Vec<f64> = instants.iter().flat_map(|&s| legendre_values(degree, s)).collect();
@@ -104,22 +117,23 @@ fn orthogonal_to(polynomial: &PolynomialFit, instants: &[f64], degree: usize) ->
 /// All `R_m`, up to one element of O(D), and the mean square of what is not polynomial, m^2.
 fn common_frames(snapshots: &[DMatrix<f64>], residual: &DMatrix<f64>) -> Result<(Vec<DMatrix<f64>>, f64)> {
     let (count, (dimension, nodes)) = (snapshots.len(), snapshots[0].shape());
-    let mut matrix = DMatrix::zeros(count * dimension, count * dimension);
-    for (n, other) in snapshots.iter().enumerate() {
-        for (m, snapshot) in snapshots.iter().enumerate() {
-            let block = snapshot * other.transpose() * residual[(m, n)];
-            matrix.view_mut((m * dimension, n * dimension), (dimension, dimension)).copy_from(&block);
+    let mut equations = DMatrix::zeros(count * nodes, count * dimension);
+    for (m, snapshot) in snapshots.iter().enumerate() {
+        for q in 0..count {
+            let block = snapshot.transpose() * residual[(m, q)];
+            equations.view_mut((q * nodes, m * dimension), (nodes, dimension)).copy_from(&block);
         }
     }
-    let eigen = matrix.symmetric_eigen();
-    let mut order: Vec<usize> = (0..count * dimension).collect();
-    order.sort_by(|&a, &b| eigen.eigenvalues[a].total_cmp(&eigen.eigenvalues[b]));
+    // Not by the eigenvectors of the square, which would lose half the digits.
+    let svd = equations.svd(false, true);
+    let right = svd.v_t.expect("it was asked for");
+    let least = |i: usize| count * dimension - 1 - i;
     let frame = |m: usize| {
         nearest_orthogonal(&DMatrix::from_fn(dimension, dimension, |i, j| {
-            eigen.eigenvectors[(m * dimension + j, order[i])]
+            right[(least(i), m * dimension + j)]
         }))
     };
-    let least: f64 = order[..dimension].iter().map(|&index| eigen.eigenvalues[index].max(0.0)).sum();
+    let left: f64 = (0..dimension).map(|i| svd.singular_values[least(i)]).map(|value| value * value).sum();
     let frames = (0..count).map(frame).collect::<Result<Vec<_>>>()?;
-    Ok((frames, least / (dimension * nodes) as f64))
+    Ok((frames, left / (dimension * nodes) as f64))
 }

@@ -43,7 +43,8 @@ fn native(case: &KinematicsCase, name: KinematicsName) -> f64 {
 
 /// For each estimator the time, and what was computed; none where there is no module.
 fn wasm() -> Vec<[f64; 2]> {
-    let Some(target) = std::env::current_exe().ok().and_then(|path| Some(path.ancestors().nth(3)?.to_path_buf()))
+    let Some(target) =
+        std::env::current_exe().ok().and_then(|path| Some(path.ancestors().nth(3)?.to_path_buf()))
     else {
         return Vec::new();
     };

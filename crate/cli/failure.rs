@@ -30,9 +30,11 @@ impl Failure {
     pub fn about(origin: impl Display, error: &Error) -> Self {
         let sentence = format!("{origin}: {}", sentence(error));
         match error {
-            Error::Unobservable { .. } | Error::NotPositiveDefinite { .. } | Error::NoConvergence { .. } => {
-                Self::Other(sentence)
-            }
+            Error::Unobservable { .. }
+            | Error::TooFew { .. }
+            | Error::Degenerate { .. }
+            | Error::NotPositiveDefinite { .. }
+            | Error::NoConvergence { .. } => Self::Other(sentence),
             _ => Self::Usage(sentence),
         }
     }

@@ -46,7 +46,8 @@ fn simulated(what: &str, scenario: &KinematicsScenario) {
 #[track_caller]
 fn without_bound(scenario: &KinematicsScenario) {
     let stamps = scenario.setup().unwrap().stamps;
-    let bound = KinematicsBound::new(&motion(scenario), &KinematicsDesign::distances(&stamps, &scenario.noise));
+    let bound =
+        KinematicsBound::new(&motion(scenario), &KinematicsDesign::distances(&stamps, &scenario.noise));
     assert!(matches!(bound, Err(Error::Degenerate { .. })), "{bound:?}");
 }
 
@@ -58,7 +59,8 @@ fn changed(change: impl Fn(&mut KinematicsScenario)) -> KinematicsScenario {
 
 #[test]
 fn nothing_moves() {
-    let still = changed(|scenario| scenario.coefficients[1..].iter_mut().flatten().flatten().for_each(|y| *y = 0.0));
+    let still =
+        changed(|scenario| scenario.coefficients[1..].iter_mut().flatten().flatten().for_each(|y| *y = 0.0));
     simulated("still", &still);
     without_bound(&still);
 }
@@ -86,13 +88,14 @@ fn nodes_on_a_line_and_in_a_plane() {
 
 #[test]
 fn nodes_that_are_one() {
-    let twins = changed(|scenario| scenario.coefficients.iter_mut().for_each(|points| points[1] = points[0].clone()));
+    let twins =
+        changed(|scenario| scenario.coefficients.iter_mut().for_each(|points| points[1] = points[0].clone()));
     simulated("twins", &twins);
     without_bound(&twins);
     let heap = changed(|scenario| {
         scenario.coefficients.iter_mut().for_each(|points| {
             let first = points[0].clone();
-            points.iter_mut().for_each(|point| point.clone_from(&first));
+            points.fill(first);
         });
     });
     simulated("heap", &heap);
@@ -128,7 +131,9 @@ fn a_pair_that_never_measures() {
     let scenario = paper(20);
     let drawn = simulate_kinematics(&scenario, 0).unwrap().record;
     let distances = (0..20)
-        .flat_map(|k| drawn.distances(k).iter().enumerate().map(|(pair, d)| d.filter(|_| pair != 3)).collect::<Vec<_>>())
+        .flat_map(|k| {
+            drawn.distances(k).iter().enumerate().map(|(pair, d)| d.filter(|_| pair != 3)).collect::<Vec<_>>()
+        })
         .collect();
     let record = DistanceRecord::new(2, 10, drawn.stamps().to_vec(), distances, 0.01).unwrap();
     sound("a pair", &scenario, &record);

@@ -3,13 +3,15 @@
 use rangelab::Error;
 use rangelab::anchorless::estimate;
 use rangelab::model::kinematics::KinematicsScenario;
+use rangelab::model::kinematics::coefficients::RelativeKinematics;
 use rangelab::model::kinematics::distance_record::DistanceRecord;
 use rangelab::model::kinematics::presets::KINEMATICS_PRESETS;
 use rangelab::model::kinematics::settings::KinematicsName::{self, *};
 use rangelab::model::kinematics::stamps::Stamps;
 use rangelab::simulate::kinematics::simulate_kinematics;
 
-use crate::scenes::{exact, paper, random, relative_error};
+use crate::networks::{exact, paper, random};
+use crate::scenes::error_of;
 
 fn refusal(name: KinematicsName, scenario: &KinematicsScenario) -> Error {
     let trial = simulate_kinematics(scenario, 0).unwrap();
@@ -48,8 +50,8 @@ fn a_node_too_few_is_refused() {
         (MultidimensionalScaling, 3, 4),
     ];
     for (name, dimension, needed) in fewest {
-        too_few(name, &random(dimension, needed - 1, 2, 0), "nodes", needed - 1, needed);
-        let enough = random(dimension, needed, 2, 0);
+        too_few(name, &random(0, dimension, needed - 1, 2), "nodes", needed - 1, needed);
+        let enough = random(0, dimension, needed, 2);
         let trial = simulate_kinematics(&enough, 0).unwrap();
         assert!(estimate(name, &enough.estimators, &trial.record).is_ok(), "{name} with {needed} nodes");
     }
@@ -68,8 +70,8 @@ fn too_few_stamps_are_refused_and_repeated_ones_count_once() {
     too_few(RangePolynomial, &listed(&[0.0, 1.0, 2.0]), "different stamps", 3, 5);
     too_few(Algorithm1So, &listed(&[2.0; 9]), "different stamps", 1, 5);
     let repeated = exact(listed(&[0.0, 1.0, 2.0, 3.0, 3.0, 4.0, 4.0]));
-    assert!(relative_error(Algorithm1So, &repeated).unwrap() < 1e-7);
-    assert!(relative_error(Algorithm2So, &exact(listed(&[0.0, 1.0, 2.0, 3.0]))).unwrap() < 1e-7);
+    assert!(error_of(Algorithm1So, &repeated).unwrap() < 1e-7);
+    assert!(error_of(Algorithm2So, &exact(listed(&[0.0, 1.0, 2.0, 3.0]))).unwrap() < 1e-7);
 }
 
 #[test]
@@ -141,7 +143,7 @@ fn nodes_in_one_point_are_refused_and_two_at_one_point_are_not() {
         points[1] = points[0].clone();
     }
     for name in [Algorithm1Rank1, Algorithm1So, Algorithm2So, Algorithm2Lifted] {
-        assert!(relative_error(name, &twins).unwrap() < 1e-8, "{name}");
+        assert!(error_of(name, &twins).unwrap() < 1e-8, "{name}");
     }
 }
 
@@ -159,12 +161,12 @@ fn records_without_accelerations_are_refused_by_algorithm_2() {
 
 #[test]
 fn degrees_and_dimensions_that_an_algorithm_does_not_know_are_refused() {
-    let mut cubic = random(2, 10, 3, 0);
+    let mut cubic = random(0, 2, 10, 3);
     assert!(refusal(Algorithm1So, &cubic).to_string().contains("degree"));
     cubic.estimators.degree = 1;
     assert!(refusal(Algorithm2So, &cubic).to_string().contains("degree"));
     for name in [Algorithm1Literal, Algorithm1Rank1, Algorithm2Literal, Algorithm2Rank1] {
-        let error = refusal(name, &random(3, 12, 2, 0)).to_string();
+        let error = refusal(name, &random(0, 3, 12, 2)).to_string();
         assert!(error.contains("in space"), "{name}: {error}");
     }
 }
@@ -199,7 +201,7 @@ fn no_preset_ends_in_nan() {
         let trial = simulate_kinematics(&scenario, 0).unwrap();
         for name in KinematicsName::ALL {
             let Ok(found) = estimate(name, &scenario.estimators, &trial.record) else { continue };
-            let motion = found.kinematics.iter().flat_map(|motion| motion.coefficients());
+            let motion = found.kinematics.iter().flat_map(RelativeKinematics::coefficients);
             let all =
                 motion.chain(&found.gram).chain(found.snapshots.iter().flatten()).chain(&found.rotation);
             assert!(

@@ -9,7 +9,7 @@ use rangelab::study::kinematics::monte_carlo::KinematicsMonteCarlo;
 use rangelab::study::kinematics::report::KinematicsSummary;
 use rangelab::study::moments::Estimate;
 
-use crate::scenes::paper;
+use crate::networks::paper;
 
 fn study(scenario: &KinematicsScenario, names: &[KinematicsName], trials: usize) -> Vec<KinematicsSummary> {
     let mut scenario = scenario.clone();

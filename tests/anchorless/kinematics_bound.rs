@@ -33,7 +33,13 @@ fn stacked(motion: &RelativeKinematics) -> Vec<f64> {
 
 /// All distances over their standard deviation and, with accelerometers, all centred accelerations over theirs; the last
 /// unknowns then are the angles of the frame.
-fn measurements(design: &KinematicsDesign, unknowns: &[f64], dimension: usize, nodes: usize, degree: usize) -> DVector<f64> {
+fn measurements(
+    design: &KinematicsDesign,
+    unknowns: &[f64],
+    dimension: usize,
+    nodes: usize,
+    degree: usize,
+) -> DVector<f64> {
     let size = dimension * nodes * (degree + 1);
     let motion = unstacked(&unknowns[..size], dimension, nodes);
     let mut all = Vec::new();
@@ -59,7 +65,7 @@ fn turn(phi: &[f64], dimension: usize) -> DMatrix<f64> {
     matrix
 }
 
-/// Fourth-order central differences, or what is spoiled: forward ones.
+/// Fourth-order central differences.
 fn slopes(f: impl Fn(&[f64]) -> DVector<f64>, at: &[f64]) -> DMatrix<f64> {
     let columns: Vec<DVector<f64>> = (0..at.len())
         .map(|i| {
@@ -75,13 +81,17 @@ fn slopes(f: impl Fn(&[f64]) -> DVector<f64>, at: &[f64]) -> DMatrix<f64> {
     DMatrix::from_columns(&columns)
 }
 
+/// `t^l/l!`.
+fn monomial(time: f64, l: usize) -> f64 {
+    (1..=l).fold(1.0, |product, i| product * time / i as f64)
+}
+
 /// The same slopes in closed form, in seconds, without any of the crate's own code.
 fn exact_slopes(design: &KinematicsDesign, motion: &RelativeKinematics) -> DMatrix<f64> {
     let (dimension, nodes, degree) = (motion.dimension(), motion.nodes(), motion.degree());
     let block = dimension * nodes;
     let angles = if design.sigma_acceleration.is_some() { dimension * (dimension - 1) / 2 } else { 0 };
     let size = block * (degree + 1) + angles;
-    let monomial = |time: f64, l: usize| (1..=l).fold(1.0, |product, i| product * time / i as f64);
     let mut rows = Vec::new();
     for &time in &design.stamps {
         let x = motion.positions(time);
@@ -96,28 +106,36 @@ fn exact_slopes(design: &KinematicsDesign, motion: &RelativeKinematics) -> DMatr
             }
             rows.extend(row);
         }
-        let Some(sigma) = design.sigma_acceleration else { continue };
-        let acceleration = centred_columns(&motion.derivative(2, time));
-        for node in 0..nodes {
-            for i in 0..dimension {
-                let mut row = vec![0.0; size];
-                for l in 2..=degree {
-                    for other in 0..nodes {
-                        let centring = f64::from(u8::from(node == other)) - 1.0 / nodes as f64;
-                        row[l * block + other * dimension + i] = centring * monomial(time, l - 2) / sigma;
-                    }
-                }
-                for angle in 0..angles {
-                    let mut phi = [0.0; 3];
-                    phi[angle] = 1.0;
-                    let generator = turn(&phi[..angles], dimension) - DMatrix::identity(dimension, dimension);
-                    row[size - angles + angle] = (generator * acceleration.column(node))[i] / sigma;
-                }
-                rows.extend(row);
-            }
+        if let Some(sigma) = design.sigma_acceleration {
+            rows.extend(acceleration_slopes(motion, time).iter().map(|slope| slope / sigma));
         }
     }
     DMatrix::from_row_slice(rows.len() / size, size, &rows)
+}
+
+/// Those of the centred accelerations at a time, row by row, with the angles of the frame last.
+fn acceleration_slopes(motion: &RelativeKinematics, time: f64) -> Vec<f64> {
+    let (dimension, nodes, degree) = (motion.dimension(), motion.nodes(), motion.degree());
+    let (block, angles) = (dimension * nodes, dimension * (dimension - 1) / 2);
+    let acceleration = centred_columns(&motion.derivative(2, time));
+    let mut rows = Vec::new();
+    for (node, i) in (0..nodes).flat_map(|node| (0..dimension).map(move |i| (node, i))) {
+        let mut row = vec![0.0; block * (degree + 1)];
+        for l in 2..=degree {
+            for other in 0..nodes {
+                let centring = f64::from(u8::from(node == other)) - 1.0 / nodes as f64;
+                row[l * block + other * dimension + i] = centring * monomial(time, l - 2);
+            }
+        }
+        rows.extend(row);
+        rows.extend((0..angles).map(|angle| {
+            let mut phi = [0.0; 3];
+            phi[angle] = 1.0;
+            let generator = turn(&phi[..angles], dimension) - DMatrix::identity(dimension, dimension);
+            (generator * acceleration.column(node))[i]
+        }));
+    }
+    rows
 }
 
 /// The bound from slopes and explicit constraints: centred coefficients, and positions at time 0 that are aligned to first
@@ -164,21 +182,24 @@ fn coefficient_block(covariance: &DMatrix<f64>, l: usize, block: usize) -> DMatr
 
 #[test]
 fn an_explicit_null_space_gives_the_same() {
-    for scenario in [paper(30), random(50, 3, 7, 2), random(51, 2, 6, 3)] {
+    // Other networks are farther from being well determined than the paper's.
+    for (scenario, limit) in [(paper(30), 1e-11), (random(50, 3, 7, 2), 1e-8), (random(51, 2, 6, 3), 1e-8)] {
         let motion = motion(&scenario);
         let block = motion.dimension() * motion.nodes();
         for (design, bound) in designs(&scenario).iter().zip(bounds(&scenario)) {
             let slopes = exact_slopes(design, &motion);
             let expected = constrained(&slopes, &motion);
-            let spoiled = constrained(&(slopes.map_with_location(|_, j, value| if j < block { 1.01 * value } else { value })), &motion);
             for l in 0..=motion.degree() {
+                let own = l * block..(l + 1) * block;
+                let spoiled = slopes
+                    .map_with_location(|_, j, value| if own.contains(&j) { 1.01 * value } else { value });
+                let spoiled = constrained(&spoiled, &motion);
                 let found = bound.coefficient_covariance(l).unwrap();
                 let difference = |other: &DMatrix<f64>| {
                     let other = coefficient_block(other, l, block);
                     (&found - &other).norm() / other.norm()
                 };
-                println!("null space, l = {l}: {:e}", difference(&expected));
-                at_most("null space", difference(&expected), 1e-10);
+                at_most("null space", difference(&expected), limit);
                 caught("a slope off by a hundredth", difference(&spoiled), 1e-4);
             }
         }
@@ -210,7 +231,9 @@ fn finite_differences_give_the_same() {
                 let found = bound.coefficient_rmse(l).unwrap();
                 let rmse = |slopes| {
                     let covariance = constrained(slopes, &motion);
-                    (coefficient_block(&covariance, l, dimension * nodes).trace() / (dimension * nodes) as f64).sqrt()
+                    (coefficient_block(&covariance, l, dimension * nodes).trace()
+                        / (dimension * nodes) as f64)
+                        .sqrt()
                 };
                 at_most("differences", (found / rmse(&numeric) - 1.0).abs(), 1e-5);
                 if l == 2 {
@@ -228,7 +251,8 @@ fn gram(at: &[f64], dimension: usize, nodes: usize, l: usize) -> DVector<f64> {
     let mut sum = DMatrix::zeros(nodes, nodes);
     for m in 0..=l {
         if m <= motion.degree() && l - m <= motion.degree() {
-            sum += motion.coefficient(m).transpose() * motion.coefficient(l - m) / (factorial(m) * factorial(l - m));
+            sum += motion.coefficient(m).transpose() * motion.coefficient(l - m)
+                / (factorial(m) * factorial(l - m));
         }
     }
     DVector::from_vec((0..nodes).flat_map(|j| (j..nodes).map(move |i| (i, j))).map(|at| sum[at]).collect())
@@ -243,7 +267,9 @@ fn gram_coefficients_by_finite_differences() {
             let covariance = constrained(&exact_slopes(design, &motion), &motion);
             for l in 0..=4 {
                 let jacobian = slopes(|at| gram(at, dimension, nodes, l), &stacked(&motion));
-                let expected = ((&jacobian * &covariance * jacobian.transpose()).trace() / jacobian.nrows() as f64).sqrt();
+                let expected = ((&jacobian * &covariance * jacobian.transpose()).trace()
+                    / jacobian.nrows() as f64)
+                    .sqrt();
                 at_most("B", (bound.gram_rmse(l).unwrap() / expected - 1.0).abs(), 1e-6);
                 let other = bound.gram_rmse((l + 1) % 5).unwrap();
                 caught("another B", (other / expected - 1.0).abs(), 1e-2);
@@ -266,14 +292,19 @@ fn an_independent_program_gives_the_same() {
         (100, [0.743, 0.219, 0.065], [0.629, 0.171, 0.045]),
         (1000, [0.235, 0.070, 0.021], [0.198, 0.054, 0.0145]),
     ];
-    for ((k, distances, accelerometers), (_, gram_distances, gram_accelerometers)) in coefficients.into_iter().zip(grams) {
+    for ((k, distances, accelerometers), (_, gram_distances, gram_accelerometers)) in
+        coefficients.into_iter().zip(grams)
+    {
         let scenario = paper(k);
         for (bound, (expected, expected_gram)) in
             bounds(&scenario).iter().zip([(distances, gram_distances), (accelerometers, gram_accelerometers)])
         {
             for l in 0..3 {
                 let (found, gram) = (1e3 * bound.coefficient_rmse(l).unwrap(), bound.gram_rmse(l).unwrap());
-                println!("K = {k}, l = {l}: Y {found:.4} ({}), B {gram:.4} ({})", expected[l], expected_gram[l]);
+                println!(
+                    "K = {k}, l = {l}: Y {found:.4} ({}), B {gram:.4} ({})",
+                    expected[l], expected_gram[l]
+                );
                 // Printed with three digits, some with two.
                 at_most("Y", (found / expected[l] - 1.0).abs(), 0.01);
                 at_most("B", (gram / expected_gram[l] - 1.0).abs(), 0.03);
@@ -286,7 +317,10 @@ fn an_independent_program_gives_the_same() {
 fn positions_over_time() {
     let [distances, accelerometers] = bounds(&paper(100));
     let at = |bound: &KinematicsBound, time, alignment| 1e3 * bound.position_rmse(time, alignment).unwrap();
-    println!("one alignment: {:.3?}", [-5.0, -2.5, 0.0, 2.5, 5.0].map(|t| at(&distances, t, Alignment::AtZero)));
+    println!(
+        "one alignment: {:.3?}",
+        [-5.0, -2.5, 0.0, 2.5, 5.0].map(|t| at(&distances, t, Alignment::AtZero))
+    );
     println!("each: {:.3?}", [-5.0, -2.5, 0.0, 2.5, 5.0].map(|t| at(&distances, t, Alignment::AtEach)));
     println!("with: {:.3?}", [-5.0, 0.0, 5.0].map(|t| at(&accelerometers, t, Alignment::AtZero)));
     println!("with, each: {:.3?}", [-5.0, 0.0, 5.0].map(|t| at(&accelerometers, t, Alignment::AtEach)));
@@ -306,7 +340,8 @@ fn it_is_blind_to_the_gauge() {
     let motion = motion(&scenario);
     for design in designs(&scenario) {
         let here = KinematicsBound::new(&motion, &design).unwrap();
-        let shifted = motion.rotated(&turn).coefficients().iter().map(|y| y.map(|value| value + 7.0)).collect();
+        let shifted =
+            motion.rotated(&turn).coefficients().iter().map(|y| y.map(|value| value + 7.0)).collect();
         let there = KinematicsBound::new(&RelativeKinematics::new(shifted).unwrap(), &design).unwrap();
         for l in 0..3 {
             let ratio = there.coefficient_rmse(l).unwrap() / here.coefficient_rmse(l).unwrap();

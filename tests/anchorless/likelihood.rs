@@ -2,7 +2,9 @@
 
 use nalgebra::DMatrix;
 use rangelab::anchorless::estimate;
-use rangelab::anchorless::maximum_likelihood::{Detail, maximum_likelihood, maximum_likelihood_with_accelerometers};
+use rangelab::anchorless::maximum_likelihood::{
+    Detail, maximum_likelihood, maximum_likelihood_with_accelerometers,
+};
 use rangelab::anchorless::synchronization::snapshot_sync;
 use rangelab::bounds::kinematics::{KinematicsBound, KinematicsDesign};
 use rangelab::model::kinematics::coefficients::{RelativeKinematics, centred_columns};
@@ -21,11 +23,11 @@ fn cost(record: &DistanceRecord, motion: &RelativeKinematics) -> f64 {
         let x = motion.positions(time);
         for ((a, b), distance) in pairs(record.nodes()).zip(record.distances(k)) {
             let residual = (x.column(a) - x.column(b)).norm() - distance.unwrap();
-            sum += (residual / record.sigma()).powi(2);
+            sum += residual * residual / (record.sigma() * record.sigma());
         }
         if let Some(accelerometers) = record.accelerometers() {
             let difference = centred_columns(&accelerometers.readings[k]) - motion.derivative(2, time);
-            sum += difference.norm_squared() / accelerometers.sigma.powi(2);
+            sum += difference.norm_squared() / (accelerometers.sigma * accelerometers.sigma);
         }
     }
     sum
@@ -37,8 +39,11 @@ fn slope(record: &DistanceRecord, at: &RelativeKinematics) -> f64 {
     let mut sampler = Sampler::new(5);
     let mut largest = 0.0_f64;
     for _ in 0..5 {
-        let change: Vec<DMatrix<f64>> = (0..=at.degree())
-            .map(|l| DMatrix::from_fn(at.dimension(), at.nodes(), |_, _| sampler.normal() * 0.2_f64.powi(l as i32)))
+        // Metres, and as much less in m/s and m/s^2 as moves nodes by metres at the ends.
+        let sizes = [1.0, 0.2, 0.04];
+        let change: Vec<DMatrix<f64>> = sizes
+            .iter()
+            .map(|size| DMatrix::from_fn(at.dimension(), at.nodes(), |_, _| size * sampler.normal()))
             .map(|change| centred_columns(&change))
             .collect();
         let moved = |h: f64| {
@@ -110,7 +115,11 @@ fn compressed_pairs_lose_nothing() {
 }
 
 /// RMSE over its bound, with distances alone and with accelerometers.
-pub fn ratios(scenario: &rangelab::model::kinematics::KinematicsScenario, name: KinematicsName, trials: u64) -> Vec<Rmse> {
+pub fn ratios(
+    scenario: &rangelab::model::kinematics::KinematicsScenario,
+    name: KinematicsName,
+    trials: u64,
+) -> Vec<Rmse> {
     let setup = scenario.setup().unwrap();
     let design = if name.reads_accelerations() {
         KinematicsDesign::with_accelerometers(&setup.stamps, &scenario.noise)

@@ -1,7 +1,10 @@
 //! With accelerations the cost has a second, mirrored minimum, and the start from distances keeps clear of it.
 
-use nalgebra::dmatrix;
-use rangelab::anchorless::maximum_likelihood::{Detail, joint_start, maximum_likelihood_with_accelerometers, refined};
+use nalgebra::{DMatrix, dmatrix};
+use rangelab::anchorless::maximum_likelihood::{
+    Detail, joint_start, maximum_likelihood_with_accelerometers, refined,
+};
+use rangelab::math::rotation::Rotation;
 use rangelab::model::kinematics::KinematicsScenario;
 use rangelab::model::kinematics::settings::KinematicsName;
 use rangelab::simulate::kinematics::simulate_kinematics;
@@ -38,8 +41,8 @@ fn the_trap_is_there() {
     let mirror = start.rotated(&dmatrix![1.0, 0.0; 0.0, -1.0]);
     let least = (0..8)
         .filter_map(|step| {
-            let angle = f64::from(step) * core::f64::consts::FRAC_PI_4;
-            let turn = dmatrix![angle.cos(), -angle.sin(); angle.sin(), angle.cos()];
+            let turn = Rotation::<2>::exp(&[f64::from(step) * core::f64::consts::FRAC_PI_4, 0.0, 0.0]);
+            let turn = DMatrix::from_column_slice(2, 2, turn.matrix().as_slice());
             refined(&drawn.record, &mirror.rotated(&turn), Detail::Every).ok()
         })
         .map(|found| found.cost)
@@ -58,7 +61,9 @@ fn the_start_avoids_it() {
 #[ignore = "a minute"]
 fn the_start_avoids_it_in_200_trials_and_the_bound_is_met() {
     assert_eq!(mirrored(200), 0);
-    for name in [KinematicsName::MaximumLikelihoodAccelerometers, KinematicsName::MaximumLikelihoodAccelerometersFull] {
+    for name in
+        [KinematicsName::MaximumLikelihoodAccelerometers, KinematicsName::MaximumLikelihoodAccelerometersFull]
+    {
         for ratio in ratios(&rough(), name, 200) {
             println!("{name} at 1 m over the bound: {:.3} +- {:.3}", ratio.value, ratio.standard_error);
             at_most(name.name(), (ratio.value - 1.05).abs(), 0.05 + 4.5 * ratio.standard_error);

@@ -18,7 +18,7 @@ pub fn paper(k: usize) -> KinematicsScenario {
 /// A network of nodes within a kilometre, with coefficients of the size of the paper's.
 pub fn random(seed: u64, dimension: usize, nodes: usize, degree: usize) -> KinematicsScenario {
     let mut sampler = Sampler::new(seed);
-    let scales = [1000.0, 10.0, 1.0, 0.1];
+    let scales = [1000.0, 10.0, 1.0, 0.1, 0.01];
     let mut scenario = paper(100);
     scenario.coefficients = (0..=degree)
         .map(|l| {
@@ -68,7 +68,8 @@ impl Rmse {
     pub fn of(squares: &[f64]) -> Self {
         let n = squares.len() as f64;
         let mean = squares.iter().sum::<f64>() / n;
-        let variance = squares.iter().map(|square| (square - mean) * (square - mean)).sum::<f64>() / (n - 1.0);
+        let variance =
+            squares.iter().map(|square| (square - mean) * (square - mean)).sum::<f64>() / (n - 1.0);
         Self { value: mean.sqrt(), standard_error: 0.5 * (variance / n).sqrt() / mean.sqrt() }
     }
 

@@ -4,12 +4,12 @@ use rangelab::math::orthogonal::nearest_rotation;
 use rangelab::model::kinematics::distance_record::pairs;
 use rangelab::simulate::kinematics::simulate_kinematics;
 
-use crate::scenes::{exact, paper, random};
+use crate::networks::{exact, paper, random};
 
 #[test]
 fn exact_records_are_the_geometry() {
     for dimension in [2, 3] {
-        let scenario = exact(random(dimension, 6, 3, 4));
+        let scenario = exact(random(4, dimension, 6, 3));
         let motion = scenario.setup().unwrap().motion;
         let drawn = simulate_kinematics(&scenario, 3).unwrap();
         assert!(
@@ -85,7 +85,7 @@ fn missing_distances_move_no_other() {
 #[test]
 fn frames_of_accelerometers_are_uniform() {
     for dimension in [2, 3] {
-        let scenario = exact(random(dimension, 3, 2, 0));
+        let scenario = exact(random(0, dimension, 3, 2));
         let frames: Vec<_> =
             (0..300).map(|trial| simulate_kinematics(&scenario, trial).unwrap().sensor_from_world).collect();
         let mean = |of: fn(f64) -> f64| frames.iter().map(|frame| of(frame[(1, 0)])).sum::<f64>() / 300.0;

@@ -6,7 +6,7 @@ use rangelab::study::kinematics::block::KinematicsBlock;
 use rangelab::study::kinematics::monte_carlo::KinematicsMonteCarlo;
 use rangelab::study::kinematics::run::run_kinematics;
 
-use crate::scenes::paper;
+use crate::networks::paper;
 
 #[test]
 fn blocks_join_in_their_order_and_travel_as_numbers() {
@@ -31,6 +31,13 @@ fn blocks_join_in_their_order_and_travel_as_numbers() {
     assert_eq!((ranges.coefficients.len(), ranges.gram.len(), ranges.positions.len()), (0, 3, 0));
     assert_eq!(motion.velocity_distribution.len(), 45);
     assert!(motion.velocity_distribution.is_sorted());
+    let [distances, accelerations] = [0, 1].map(|index| &whole.bounds[index]);
+    assert!(!distances.accelerations && accelerations.accelerations);
+    assert_eq!((distances.coefficients.len(), distances.gram.len(), distances.positions.len()), (3, 3, 3));
+    for l in 0..3 {
+        assert!(accelerations.coefficients[l] < distances.coefficients[l]);
+        assert!(distances.coefficients[l] < motion.coefficients[l].value);
+    }
 }
 
 /// One trial's study is its run.
@@ -59,4 +66,8 @@ fn estimators_that_refuse_are_counted() {
     assert_eq!((first.trials, first.failures, first.coefficients.len()), (0, 5, 0));
     assert_eq!((second.trials, second.failures, second.coefficients.len()), (5, 0, 3));
     assert!(KinematicsMonteCarlo::new(&scenario, 0).is_err());
+    // Exact distances have no bound, and it says so.
+    scenario.noise.sigma_distance = 0.0;
+    let bounds = KinematicsMonteCarlo::new(&scenario, 1).unwrap().run().unwrap().bounds;
+    assert!(bounds.iter().all(|bound| bound.failure.is_some() && bound.coefficients.is_empty()));
 }

@@ -3,7 +3,7 @@
 use rangelab::model::kinematics::settings::KinematicsName::{self, *};
 use rangelab::study::kinematics::monte_carlo::KinematicsMonteCarlo;
 
-use crate::scenes::paper;
+use crate::networks::paper;
 
 /// K, estimator, reference.
 type Row = (usize, KinematicsName, [f64; 3]);

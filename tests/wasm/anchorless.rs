@@ -2,14 +2,13 @@
 #![cfg(target_arch = "wasm32")]
 
 use rangelab::model::kinematics::presets::{KINEMATICS_PRESETS, kinematics_preset};
-use rangelab::study::kinematics::bounds::{kinematics_bounds, node_covariances};
+use rangelab::study::kinematics::bounds::node_covariances;
 use rangelab::study::kinematics::monte_carlo::KinematicsMonteCarlo;
 use rangelab::study::kinematics::run::run_kinematics;
 use rangelab::study::kinematics::spectrum::gram_spectrum;
 use rangelab_anchorless::{
     AnchorlessSum, anchorless_block, anchorless_bounds, anchorless_covariances, anchorless_preset_scenario,
-    anchorless_presets, anchorless_spectrum, complete_anchorless, run_anchorless, swept_bounds,
-    validate_anchorless,
+    anchorless_presets, anchorless_spectrum, complete_anchorless, run_anchorless, validate_anchorless,
 };
 use serde_json::{Value, to_string};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
@@ -62,10 +61,10 @@ fn a_run_as_arrays_is_the_run_of_the_crate() {
 fn bounds_are_those_of_the_crate() {
     let scenario = kinematics_preset("kinematics-sparse").unwrap();
     let text = scenario.to_json();
-    let native = kinematics_bounds(&scenario, &[-5.0, 0.0]).unwrap();
-    assert_eq!(anchorless_bounds(&text, &[-5.0, 0.0]).ok().unwrap(), to_string(&native).unwrap());
-    let own = to_string(&[kinematics_bounds(&scenario, &[]).unwrap()]).unwrap();
-    assert_eq!(swept_bounds(&text, &[10]).ok().unwrap(), own);
+    let native = KinematicsMonteCarlo::new(&scenario, 1).unwrap();
+    let own = to_string(&[native.report(&native.start()).bounds]).unwrap();
+    assert_eq!(anchorless_bounds(&text, &[]).ok().unwrap(), own);
+    assert_eq!(anchorless_bounds(&text, &[10]).ok().unwrap(), own);
     let covariances = anchorless_covariances(&text, true, 3.0).ok().unwrap();
     let expected = node_covariances(&scenario, true, 3.0).unwrap();
     assert_eq!(covariances[..4], *expected[0].as_slice());
@@ -88,7 +87,8 @@ fn a_study_in_blocks_is_the_study_of_the_crate() {
     assert!(sum.push(&later[..7]).is_err());
     sum.push(&anchorless_block(&text, &counts, 0).ok().unwrap()).ok().unwrap();
     sum.push(&later).ok().unwrap();
-    let native = KinematicsMonteCarlo::new(&scenario, 40).unwrap().run().unwrap();
+    let mut native = KinematicsMonteCarlo::new(&scenario, 40).unwrap().run().unwrap();
+    native.bounds.clear();
     let reports: Vec<Value> = serde_json::from_str(&sum.reports().ok().unwrap()).unwrap();
     assert_eq!(reports[0].to_string(), serde_json::to_value(&native).unwrap().to_string());
     assert_eq!((reports[1]["stamps"].as_u64(), reports[1]["trials"].as_u64()), (Some(20), Some(40)));

@@ -1,7 +1,6 @@
 //! The module of the lab Indoor, in a browser: the same bits as the native library.
 #![cfg(target_arch = "wasm32")]
 
-
 use rangelab::model::indoor::presets::{INDOOR_PRESETS, indoor_preset};
 use rangelab::study::indoor::monte_carlo::IndoorMonteCarlo;
 use rangelab_indoor::{
@@ -66,5 +65,7 @@ fn a_study_in_blocks_is_the_study_of_the_crate() {
     sum.push(&later).ok().unwrap();
     let native = IndoorMonteCarlo::new(&scenario, 40).unwrap().run().unwrap();
     assert_eq!(sum.report().ok().unwrap(), to_string(&native).unwrap());
-    assert!(indoor_block(&text, 7).is_err() && indoor_block("{}", 0).is_err() && IndoorSum::new("{}").is_err());
+    assert!(
+        indoor_block(&text, 7).is_err() && indoor_block("{}", 0).is_err() && IndoorSum::new("{}").is_err()
+    );
 }

@@ -1,4 +1,5 @@
-//! The laws of the mathematics, in the browser: the same files that run natively; and the golden bits of the Indoor lab.
+//! The laws of the mathematics, in the browser: the same files that run natively; and the golden bits of the Indoor and the
+//! Anchorless lab.
 #![cfg(target_arch = "wasm32")]
 #![allow(clippy::float_cmp, reason = "where bits are compared, bits are meant")]
 
@@ -11,6 +12,8 @@ mod support;
 mod fingerprint;
 #[path = "../golden/indoor.rs"]
 mod indoor;
+#[path = "../golden/kinematics.rs"]
+mod kinematics;
 
 #[path = "../laws/chi_squared.rs"]
 mod chi_squared;

@@ -39,9 +39,9 @@ impl AccelerationCost {
         }
         let scale = record.time_scale();
         let squared = scale.half * scale.half;
-        let weight = 1.0 / (squared * sigma(record.sigma(), accelerometers.sigma * squared));
+        let weight = 1.0 / sigma(record.sigma(), accelerometers.sigma * squared);
         let (stamps, size) = (record.stamps(), record.dimension() * record.nodes());
-        // d^2 s^l/dt^2 = l (l - 1) s^(l-2)/half^2.
+        // half^2 d^2 s^l/dt^2 = l (l - 1) s^(l-2).
         let mut design = DMatrix::zeros(stamps.len(), degree - 1);
         let mut readings = DMatrix::zeros(stamps.len(), size);
         for (k, &time) in stamps.iter().enumerate() {
@@ -57,12 +57,12 @@ impl AccelerationCost {
         Ok(Self { target: qr.q().tr_mul(&readings), factor: qr.r() })
     }
 
-    /// Coefficients `c_2, ...` as columns of the coordinates, and what is left of the target.
     fn residual(&self, unknowns: &DVector<f64>) -> DMatrix<f64> {
-        &self.factor * self.modelled(unknowns) - &self.target
+        &self.factor * self.accelerations(unknowns) - &self.target
     }
 
-    fn modelled(&self, unknowns: &DVector<f64>) -> DMatrix<f64> {
+    /// `c_2, ..., c_L`, a row each.
+    fn accelerations(&self, unknowns: &DVector<f64>) -> DMatrix<f64> {
         let size = self.target.ncols();
         DMatrix::from_row_slice(self.factor.ncols(), size, &unknowns.as_slice()[2 * size..])
     }
@@ -100,7 +100,7 @@ impl AccelerationCost {
     /// # Errors
     /// [`Error::Number`] for a dimension other than 2 or 3.
     pub fn frame(&self, dimension: usize, unknowns: &DVector<f64>) -> Result<DMatrix<f64>> {
-        let modelled = &self.factor * self.modelled(unknowns);
+        let modelled = &self.factor * self.accelerations(unknowns);
         let mut moment = DMatrix::zeros(dimension, dimension);
         for row in 0..modelled.nrows() {
             for first in (0..modelled.ncols()).step_by(dimension) {

@@ -32,20 +32,20 @@ pub struct Minimum {
 ///
 /// # Errors
 /// [`Error::Degenerate`] where the curvature lost its rank there, [`Error::NoConvergence`].
-pub fn minimum<const D: usize>(objective: &Objective<D>, start: DVector<f64>) -> Result<Minimum> {
+pub fn minimum<const D: usize>(objective: &Objective<'_, D>, start: DVector<f64>) -> Result<Minimum> {
     let (mut unknowns, mut last) = (start, f64::INFINITY);
     for iterations in 0..MAX_ITERATIONS {
         let curvature = if last < NEAR { Curvature::Exact } else { Curvature::Gauss };
-        let Step { step, fall, cost, margin } = newton_step(objective, &unknowns, curvature)?;
-        let size = sqrt(step.norm_squared() / unknowns.norm_squared());
+        let NewtonStep { by, fall, cost, margin } = newton_step(objective, &unknowns, curvature)?;
+        let size = sqrt(by.norm_squared() / unknowns.norm_squared());
         let local = size < LOCAL || fall <= ROUNDING * cost;
         if size <= f64::EPSILON || (local && size >= 0.5 * last) {
             return determined(margin).map(|()| Minimum { unknowns, cost, iterations });
         }
         let next = if local {
-            Some(objective.moved(&unknowns, &step))
+            Some(objective.moved(&unknowns, &by))
         } else {
-            descend(objective, &unknowns, &step, cost)
+            descend(objective, &unknowns, &by, cost)
         };
         let Some(next) = next else {
             return Err(Error::NoConvergence { what: WHAT, iterations, last_step: size });
@@ -55,8 +55,8 @@ pub fn minimum<const D: usize>(objective: &Objective<D>, start: DVector<f64>) ->
     Err(Error::NoConvergence { what: WHAT, iterations: MAX_ITERATIONS, last_step: last })
 }
 
-struct Step {
-    step: DVector<f64>,
+struct NewtonStep {
+    by: DVector<f64>,
     /// The fall of the cost that the step promises.
     fall: f64,
     cost: f64,
@@ -65,10 +65,10 @@ struct Step {
 }
 
 fn newton_step<const D: usize>(
-    objective: &Objective<D>,
+    objective: &Objective<'_, D>,
     unknowns: &DVector<f64>,
     curvature: Curvature,
-) -> Result<Step> {
+) -> Result<NewtonStep> {
     let Expansion { cost, gradient, hessian } = objective.expansion(unknowns, curvature);
     let mut margin = None;
     for damping in DAMPING {
@@ -78,12 +78,14 @@ fn newton_step<const D: usize>(
         }
         match definite_factor(&damped) {
             Ok(factor) => {
-                let step = -factor.solve(&gradient);
-                let fall = -0.5 * gradient.dot(&step);
-                return Ok(Step { step, fall, cost, margin });
+                let by = -factor.solve(&gradient);
+                let fall = -0.5 * gradient.dot(&by);
+                return Ok(NewtonStep { by, fall, cost, margin });
             }
             // Negative curvature far from a minimum: that of Gauss has none.
-            Err(_) if curvature == Curvature::Exact => return newton_step(objective, unknowns, Curvature::Gauss),
+            Err(_) if curvature == Curvature::Exact => {
+                return newton_step(objective, unknowns, Curvature::Gauss);
+            }
             Err(pivot) => margin = margin.or(Some(pivot)),
         }
     }
@@ -102,7 +104,7 @@ fn undetermined(value: f64) -> Error {
 
 /// Halves the step until the cost falls; `None` where it never does.
 fn descend<const D: usize>(
-    objective: &Objective<D>,
+    objective: &Objective<'_, D>,
     unknowns: &DVector<f64>,
     step: &DVector<f64>,
     cost: f64,

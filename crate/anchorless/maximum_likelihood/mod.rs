@@ -11,7 +11,7 @@ mod retraction;
 
 use nalgebra::DMatrix;
 
-use super::synchronization::snapshot_sync;
+use super::synchronization::synchronized;
 use crate::error::{Error, Result};
 use crate::model::kinematics::coefficients::RelativeKinematics;
 use crate::model::kinematics::distance_record::DistanceRecord;
@@ -36,13 +36,13 @@ pub enum Detail {
     Every,
 }
 
-/// Maximum likelihood from distances alone, from the start of [`snapshot_sync`].
+/// Maximum likelihood from distances alone, from the start of [`snapshot_sync`](super::synchronization::snapshot_sync).
 ///
 /// Gauss-Newton, then exact Newton until steps stop shrinking. The cost of the estimate is `sum (residual/sigma)^2`, less
 /// what no motion of this degree could explain where pairs are compressed.
 ///
 /// # Errors
-/// As [`snapshot_sync`]; [`Error::Degenerate`] where distances do not determine the motion; [`Error::NoConvergence`].
+/// As [`snapshot_sync`](super::synchronization::snapshot_sync); [`Error::Degenerate`] where distances do not determine the motion; [`Error::NoConvergence`].
 ///
 /// ```
 /// use rangelab::anchorless::maximum_likelihood::{Detail, maximum_likelihood};
@@ -59,15 +59,12 @@ pub fn maximum_likelihood(
     degree: usize,
     detail: Detail,
 ) -> Result<KinematicsEstimate> {
-    let start = snapshot_sync(record, degree)?.kinematics.expect("it finds the motion");
-    let compressed = refined(&record.without_accelerometers(), &start, Detail::Compressed)?;
-    match (detail, &compressed.kinematics) {
-        (Detail::Every, Some(near)) => {
-            let every = refined(&record.without_accelerometers(), near, detail)?;
-            Ok(KinematicsEstimate { iterations: compressed.iterations + every.iterations, ..every })
-        }
-        _ => Ok(compressed),
-    }
+    from_distances(record, degree, detail).map(|found| estimate_of(found, None))
+}
+
+fn from_distances(record: &DistanceRecord, degree: usize, detail: Detail) -> Result<Found> {
+    let start = synchronized(record, degree)?.motion;
+    from_start(record, None, &start, detail)
 }
 
 /// Maximum likelihood from distances and accelerations, from the start of [`joint_start`]; the motion is given in the frame
@@ -92,15 +89,10 @@ pub fn maximum_likelihood_with_accelerometers(
     detail: Detail,
 ) -> Result<KinematicsEstimate> {
     let (start, before) = joint_start(record, degree)?;
-    let compressed = refined(record, &start, Detail::Compressed)?;
-    let last = match (detail, &compressed.kinematics) {
-        (Detail::Every, Some(near)) => {
-            let every = refined(record, near, detail)?;
-            KinematicsEstimate { iterations: compressed.iterations + every.iterations, ..every }
-        }
-        _ => compressed,
-    };
-    Ok(KinematicsEstimate { iterations: before + last.iterations, ..last })
+    let found = from_start(record, Some(&AccelerationCost::new(record, degree)?), &start, detail)?;
+    let rotation = DMatrix::identity(record.dimension(), record.dimension());
+    let iterations = before + found.iterations;
+    Ok(estimate_of(Found { iterations, ..found }, Some(rotation)))
 }
 
 /// Maximum likelihood from distances, then the element of O(D) that fits its accelerations to the readings, and the number
@@ -114,10 +106,9 @@ pub fn maximum_likelihood_with_accelerometers(
 /// below 2, which have none.
 pub fn joint_start(record: &DistanceRecord, degree: usize) -> Result<(RelativeKinematics, usize)> {
     let readings = AccelerationCost::new(record, degree)?;
-    let found = maximum_likelihood(record, degree, Detail::Compressed)?;
-    let (motion, scale) = (found.kinematics.expect("it finds the motion"), record.time_scale());
-    let stacked = stacked_powers(&scale.scale(&motion));
-    Ok((motion.rotated(&readings.frame(record.dimension(), &stacked)?), found.iterations))
+    let Found { motion, iterations, .. } = from_distances(record, degree, Detail::Compressed)?;
+    let stacked = stacked_powers(&record.time_scale().scale(&motion));
+    Ok((motion.rotated(&readings.frame(record.dimension(), &stacked)?), iterations))
 }
 
 /// The minimum next to a start: from distances, and from the accelerations of the record where it has any, which the start
@@ -131,28 +122,63 @@ pub fn refined(
     start: &RelativeKinematics,
     detail: Detail,
 ) -> Result<KinematicsEstimate> {
-    let (nodes, dimension, degree) = (record.nodes(), record.dimension(), start.degree());
-    let (found, expected) = (start.coefficient(0).len(), dimension * nodes);
-    if start.dimension() != dimension || start.nodes() != nodes {
+    let (found, expected) = (start.coefficient(0).len(), record.dimension() * record.nodes());
+    if start.dimension() != record.dimension() || start.nodes() != record.nodes() {
         return Err(Error::Size { what: "coordinates in the start", found, expected });
     }
-    let scale = record.time_scale();
-    let accelerations = match record.accelerometers() {
-        Some(_) => Some(AccelerationCost::new(record, degree)?),
-        None => None,
-    };
-    let rotation = accelerations.as_ref().map(|_| DMatrix::identity(dimension, dimension));
-    let pairs = PairCosts::new(record, degree, detail);
+    if record.accelerometers().is_none() {
+        return descended(record, None, start, detail).map(|found| estimate_of(found, None));
+    }
+    let accelerations = AccelerationCost::new(record, start.degree())?;
+    let rotation = DMatrix::identity(record.dimension(), record.dimension());
+    descended(record, Some(&accelerations), start, detail).map(|found| estimate_of(found, Some(rotation)))
+}
+
+/// What a descent found.
+struct Found {
+    motion: RelativeKinematics,
+    cost: f64,
+    iterations: usize,
+}
+
+fn estimate_of(found: Found, rotation: Option<DMatrix<f64>>) -> KinematicsEstimate {
+    let Found { motion, cost, iterations } = found;
+    KinematicsEstimate {
+        kinematics: Some(motion),
+        rotation,
+        cost,
+        iterations,
+        ..KinematicsEstimate::default()
+    }
+}
+
+/// Compressed pairs lead to where single distances are a step or two from their minimum.
+fn from_start(
+    record: &DistanceRecord,
+    accelerations: Option<&AccelerationCost>,
+    start: &RelativeKinematics,
+    detail: Detail,
+) -> Result<Found> {
+    let near = descended(record, accelerations, start, Detail::Compressed)?;
+    if detail == Detail::Compressed {
+        return Ok(near);
+    }
+    let found = descended(record, accelerations, &near.motion, detail)?;
+    Ok(Found { iterations: near.iterations + found.iterations, ..found })
+}
+
+fn descended(
+    record: &DistanceRecord,
+    accelerations: Option<&AccelerationCost>,
+    start: &RelativeKinematics,
+    detail: Detail,
+) -> Result<Found> {
+    let (nodes, dimension, scale) = (record.nodes(), record.dimension(), record.time_scale());
+    let pairs = PairCosts::new(record, start.degree(), detail);
     let from = stacked_powers(&scale.scale(&start.centred()));
     let Minimum { unknowns, cost, iterations } = with_dimension!(dimension, D => {
         minimum(&Objective::<D> { nodes, pairs, accelerations }, from)
     })?;
-    let found = scale.unscale(&from_stacked_powers(dimension, nodes, unknowns.as_slice())).centred();
-    Ok(KinematicsEstimate {
-        kinematics: Some(found),
-        rotation,
-        cost: 2.0 * cost,
-        iterations,
-        ..KinematicsEstimate::default()
-    })
+    let motion = scale.unscale(&from_stacked_powers(dimension, nodes, unknowns.as_slice())).centred();
+    Ok(Found { motion, cost: 2.0 * cost, iterations })
 }

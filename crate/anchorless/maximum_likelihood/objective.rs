@@ -11,10 +11,10 @@ use crate::model::kinematics::distance_record::pairs;
 use crate::model::kinematics::gauge_directions::{add_translations, add_turns, turn_fields};
 
 /// Half the sum of the squares of all residuals, each over its standard deviation.
-pub struct Objective<const D: usize> {
+pub struct Objective<'a, const D: usize> {
     pub nodes: usize,
     pub pairs: PairCosts,
-    pub accelerations: Option<AccelerationCost>,
+    pub accelerations: Option<&'a AccelerationCost>,
 }
 
 /// The objective near some unknowns.
@@ -25,7 +25,7 @@ pub struct Expansion {
     pub hessian: DMatrix<f64>,
 }
 
-impl<const D: usize> Objective<D> {
+impl<const D: usize> Objective<'_, D> {
     /// Coefficients of the difference of two nodes.
     fn difference(&self, unknowns: &DVector<f64>, a: usize, b: usize, delta: &mut Vec<SVector<f64, D>>) {
         delta.clear();
@@ -36,7 +36,7 @@ impl<const D: usize> Objective<D> {
     /// The cost alone.
     pub fn cost(&self, unknowns: &DVector<f64>) -> f64 {
         let mut delta = Vec::new();
-        let mut sum = self.accelerations.as_ref().map_or(0.0, |accelerations| accelerations.cost(unknowns));
+        let mut sum = self.accelerations.map_or(0.0, |accelerations| accelerations.cost(unknowns));
         for (pair, (a, b)) in pairs(self.nodes).enumerate() {
             self.difference(unknowns, a, b, &mut delta);
             sum += self.pairs.cost(pair, &delta);
@@ -75,7 +75,7 @@ impl<const D: usize> Objective<D> {
                 }
             }
         }
-        match &self.accelerations {
+        match self.accelerations {
             Some(accelerations) => cost += accelerations.expand(unknowns, &mut gradient, &mut hessian),
             None => add_turns(&mut hessian, &turn_fields::<D>(unknowns.as_slice())),
         }

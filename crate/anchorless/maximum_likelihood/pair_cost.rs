@@ -194,9 +194,7 @@ fn compressed<const D: usize>(
     let jacobian = factor * &design;
     let (by_delta, gauss) = (design.tr_mul(&slopes), jacobian.tr_mul(&jacobian));
     let gradient = (0..count).map(|l| by_delta.fixed_rows::<D>(l * D).into_owned()).collect();
-    let block = |index: usize| {
-        gauss.fixed_view::<D, D>(index / count * D, index % count * D).into_owned()
-    };
+    let block = |index: usize| gauss.fixed_view::<D, D>(index / count * D, index % count * D).into_owned();
     let mut hessian: Vec<SMatrix<f64, D, D>> = (0..count * count).map(block).collect();
     if curvature == Curvature::Exact {
         let mut moments = Moments::<D>::new(count - 1);

@@ -43,12 +43,7 @@ fn weights(scale: &TimeScale, degree: usize, derivative: usize, time: f64) -> Ve
 }
 
 /// The derivative of some order at an instant (s); its value is exact, for the motion is known.
-pub fn read_out(
-    motion: &RelativeKinematics,
-    scale: &TimeScale,
-    derivative: usize,
-    time: f64,
-) -> ReadOut {
+pub fn read_out(motion: &RelativeKinematics, scale: &TimeScale, derivative: usize, time: f64) -> ReadOut {
     let (dimension, nodes) = (motion.dimension(), motion.nodes());
     let block = dimension * nodes;
     let centring = DMatrix::from_fn(block, block, |i, j| {
@@ -69,12 +64,12 @@ pub fn read_out(
 /// # Errors
 /// [`Error::Degenerate`] where a turn leaves the reference as it is.
 pub fn aligned(read: &ReadOut, reference: &ReadOut) -> Result<DMatrix<f64>> {
-    let fields = |read: &ReadOut| {
-        with_dimension!(read.dimension, D => Ok::<_, Error>(turn_fields::<D>(read.value.as_slice())))
-    };
-    let (turned, of_reference) = (DMatrix::from_columns(&fields(read)?), DMatrix::from_columns(&fields(reference)?));
+    let fields = |read: &ReadOut| with_dimension!(read.dimension, D => Ok::<_, Error>(turn_fields::<D>(read.value.as_slice())));
+    let (turned, of_reference) =
+        (DMatrix::from_columns(&fields(read)?), DMatrix::from_columns(&fields(reference)?));
     let factor = definite_factor(&of_reference.tr_mul(&of_reference)).map_err(|value| {
-        let reason = "The positions that are aligned lie on a line or in a point, and a turn leaves them as they are.";
+        let reason =
+            "The positions that are aligned lie on a line or in a point, and a turn leaves them as they are.";
         Error::Degenerate { what: WHAT, value, reason }
     })?;
     let angles = factor.solve(&of_reference.tr_mul(&reference.linear));

@@ -43,7 +43,8 @@ fn of_distances(motion: &RelativeKinematics, design: &KinematicsDesign) -> Resul
     let points: Vec<DMatrix<f64>> = design.stamps.iter().map(|&time| motion.positions(time)).collect();
     let mut information = DMatrix::zeros(terms * block, terms * block);
     for (a, b) in pairs(nodes) {
-        let mut moments = Vec::from_iter((0..2 * terms - 1).map(|_| DMatrix::zeros(dimension, dimension)));
+        let mut moments: Vec<DMatrix<f64>> =
+            (0..2 * terms - 1).map(|_| DMatrix::zeros(dimension, dimension)).collect();
         for (positions, &time) in points.iter().zip(&design.stamps) {
             let line = positions.column(a) - positions.column(b);
             let mut along = outer(&line)? * weight;

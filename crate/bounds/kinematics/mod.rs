@@ -70,8 +70,7 @@ impl KinematicsBound {
         let mut information = information::information(&motion, design)?;
         let stacked = stacked_powers(&scale.scale(&motion));
         if design.sigma_acceleration.is_none() {
-            let fields =
-                with_dimension!(motion.dimension(), D => Ok::<_, Error>(turn_fields::<D>(stacked.as_slice())))?;
+            let fields = with_dimension!(motion.dimension(), D => Ok::<_, Error>(turn_fields::<D>(stacked.as_slice())))?;
             add_turns(&mut information, &fields);
         }
         add_translations(&mut information, motion.dimension(), motion.nodes());
@@ -126,7 +125,11 @@ impl KinematicsBound {
     pub fn gram_rmse(&self, l: usize) -> Result<f64> {
         let found = 2 * self.motion.degree() + 1;
         if l >= found {
-            return Err(Error::Size { what: "coefficients of the Gram matrix up to the one asked for", found, expected: l + 1 });
+            return Err(Error::Size {
+                what: "coefficients of the Gram matrix up to the one asked for",
+                found,
+                expected: l + 1,
+            });
         }
         let jacobian = gram::gram_jacobian(&self.motion, &self.scale, l);
         let image = &jacobian * &self.inverse;

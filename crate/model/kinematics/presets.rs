@@ -47,7 +47,8 @@ pub const KINEMATICS_PRESETS: [KinematicsPreset; 6] = [
     KinematicsPreset {
         name: "kinematics-missing",
         title: "A fifth of the distances missing",
-        summary: "A Gram matrix needs all distances of its stamp; maximum likelihood takes what there is.",
+        summary: "Each pair is fitted at the stamps it has, so every estimator of the motion goes on; only scaling of single \
+                  epochs ends, for no epoch is complete.",
         build: || with("kinematics-missing", |scenario| scenario.noise.missing_probability = 0.2),
     },
     KinematicsPreset {
@@ -59,7 +60,8 @@ pub const KINEMATICS_PRESETS: [KinematicsPreset; 6] = [
     KinematicsPreset {
         name: "kinematics-constant",
         title: "Constant velocities",
-        summary: "Without accelerations the closed form has nothing to divide by, and says so.",
+        summary: "Without accelerations Algorithm 1 turns by noise alone: its margin falls below one, and its velocities \
+                  are lost.",
         build: constant,
     },
     KinematicsPreset {

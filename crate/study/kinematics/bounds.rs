@@ -1,4 +1,4 @@
-//! What no unbiased estimator of a kinematics scenario can beat, beside the errors that studies measure.
+//! The Cramér-Rao bounds that a study is held against, at the true motion.
 
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -6,106 +6,89 @@ use alloc::vec::Vec;
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 
-use super::errors::Yardstick;
+use super::errors::{GRAM_COEFFICIENTS, Yardstick};
 use crate::bounds::kinematics::{Alignment, KinematicsBound, KinematicsDesign};
 use crate::error::Result;
-use crate::model::kinematics::KinematicsScenario;
-use crate::model::kinematics::coefficients::RelativeKinematics;
+use crate::model::kinematics::{KinematicsScenario, KinematicsSetup};
 
-/// The Cramér-Rao bounds of a scenario.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(export))]
-pub struct KinematicsBounds {
-    /// From distances alone.
-    pub distances: KinematicsBoundCurves,
-    /// From distances and accelerometers.
-    pub accelerometers: KinematicsBoundCurves,
-}
-
-/// The bounds on the root mean square errors of a study, each list as in its summary; all are empty where there is no bound.
+/// A bound on the figures of a summary, in the same units.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(export))]
-pub struct KinematicsBoundCurves {
-    /// Why there is none, in a sentence.
+pub struct KinematicsBoundReport {
+    /// Its name for people.
+    pub label: String,
+    /// Whether accelerations are read.
+    pub accelerations: bool,
+    /// Why there is none, in a sentence; the lists are empty then.
     pub failure: Option<String>,
-    /// Of a coordinate of `Y_0, Y_1, ...` after one alignment at time 0, m/s^l.
+    /// On a coordinate of `Y_0, Y_1, ...`, m/s^l.
     pub coefficients: Vec<f64>,
-    /// Of a coordinate of the positions at each instant with that alignment, m.
+    /// On an entry of `vech(B_0), vech(B_1), vech(B_2)`, m^2/s^l.
+    pub gram: Vec<f64>,
+    /// On a coordinate at each instant after one alignment, from `Y_0`, m.
     pub positions: Vec<f64>,
     /// The same with an alignment at each instant, m.
     pub aligned_positions: Vec<f64>,
 }
 
-/// The bounds of a scenario, of its positions at some instants (s). The degree is that of the motion, or the one that
-/// estimators assume where that is higher.
-///
-/// # Errors
-/// When the scenario is not valid.
-///
-/// ```
-/// use rangelab::model::kinematics::presets::kinematics_preset;
-/// use rangelab::study::kinematics::bounds::kinematics_bounds;
-/// let bounds = kinematics_bounds(&kinematics_preset("kinematics-paper")?, &[0.0])?;
-/// let gain = bounds.distances.coefficients[1] / bounds.accelerometers.coefficients[1];
-/// assert!((gain - 7.2).abs() < 0.1); // what accelerometers buy for velocities
-/// # Ok::<(), rangelab::Error>(())
-/// ```
-pub fn kinematics_bounds(scenario: &KinematicsScenario, instants: &[f64]) -> Result<KinematicsBounds> {
-    let setup = scenario.setup()?;
-    let yardstick = Yardstick::new(scenario, &setup);
-    let curves = |accelerometers| {
-        let design = design(scenario, &setup.stamps, accelerometers);
-        curves(yardstick.motion(), &design, instants).unwrap_or_else(|error| KinematicsBoundCurves {
-            failure: Some(error.to_string()),
-            ..KinematicsBoundCurves::default()
-        })
-    };
-    Ok(KinematicsBounds { distances: curves(false), accelerometers: curves(true) })
+/// From distances alone, and with accelerations.
+pub fn kinematics_bounds(
+    scenario: &KinematicsScenario,
+    setup: &KinematicsSetup,
+    yardstick: &Yardstick,
+) -> [KinematicsBoundReport; 2] {
+    let (stamps, noise) = (&setup.stamps, &scenario.noise);
+    [
+        ("CRB, distances", KinematicsDesign::distances(stamps, noise)),
+        ("CRB, distances and accelerations", KinematicsDesign::with_accelerometers(stamps, noise)),
+    ]
+    .map(|(label, design)| {
+        let (found, failure) = match bound(&design, yardstick) {
+            Ok(found) => (found, None),
+            Err(error) => (KinematicsBoundReport::default(), Some(error.to_string())),
+        };
+        let accelerations = design.sigma_acceleration.is_some();
+        KinematicsBoundReport { label: label.to_string(), accelerations, failure, ..found }
+    })
 }
 
-/// The bound on the covariance of the position of each node at a time (s), after one alignment at time 0, m^2: D x D, node by
+fn bound(design: &KinematicsDesign, yardstick: &Yardstick) -> Result<KinematicsBoundReport> {
+    let motion = yardstick.motion();
+    let bound = KinematicsBound::new(motion, design)?;
+    let positions = |alignment| -> Result<Vec<f64>> {
+        yardstick.instants.iter().map(|&time| bound.position_rmse(time, alignment)).collect()
+    };
+    let gram = GRAM_COEFFICIENTS.min(2 * motion.degree() + 1);
+    Ok(KinematicsBoundReport {
+        coefficients: (0..=motion.degree()).map(|l| bound.coefficient_rmse(l)).collect::<Result<_>>()?,
+        gram: (0..gram).map(|l| bound.gram_rmse(l)).collect::<Result<_>>()?,
+        positions: positions(Alignment::AtZero)?,
+        aligned_positions: positions(Alignment::AtEach)?,
+        ..KinematicsBoundReport::default()
+    })
+}
+
+/// The bound on the covariance of the position of each node at a time (s), after one alignment from `Y_0`, m^2: D x D, node by
 /// node.
 ///
 /// # Errors
 /// When the scenario is not valid or has no bound.
 pub fn node_covariances(
     scenario: &KinematicsScenario,
-    accelerometers: bool,
+    accelerations: bool,
     time: f64,
 ) -> Result<Vec<DMatrix<f64>>> {
     let setup = scenario.setup()?;
     let motion = Yardstick::new(scenario, &setup).motion().clone();
-    let bound = KinematicsBound::new(&motion, &design(scenario, &setup.stamps, accelerometers))?;
-    let covariance = bound.position_covariance(time, Alignment::AtZero)?;
+    let design = match accelerations {
+        true => KinematicsDesign::with_accelerometers(&setup.stamps, &scenario.noise),
+        false => KinematicsDesign::distances(&setup.stamps, &scenario.noise),
+    };
+    let covariance = KinematicsBound::new(&motion, &design)?.position_covariance(time, Alignment::AtZero)?;
     let dimension = motion.dimension();
     let of_node = |node: usize| {
         let at = node * dimension;
         covariance.view((at, at), (dimension, dimension)).into_owned()
     };
     Ok((0..motion.nodes()).map(of_node).collect())
-}
-
-fn design(scenario: &KinematicsScenario, stamps: &[f64], accelerometers: bool) -> KinematicsDesign {
-    if accelerometers {
-        KinematicsDesign::with_accelerometers(stamps, &scenario.noise)
-    } else {
-        KinematicsDesign::distances(stamps, &scenario.noise)
-    }
-}
-
-fn curves(
-    motion: &RelativeKinematics,
-    design: &KinematicsDesign,
-    instants: &[f64],
-) -> Result<KinematicsBoundCurves> {
-    let bound = KinematicsBound::new(motion, design)?;
-    let positions = |alignment| -> Result<Vec<f64>> {
-        instants.iter().map(|&time| bound.position_rmse(time, alignment)).collect()
-    };
-    Ok(KinematicsBoundCurves {
-        failure: None,
-        coefficients: (0..=motion.degree()).map(|l| bound.coefficient_rmse(l)).collect::<Result<_>>()?,
-        positions: positions(Alignment::AtZero)?,
-        aligned_positions: positions(Alignment::AtEach)?,
-    })
 }

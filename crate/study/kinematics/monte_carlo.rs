@@ -1,8 +1,10 @@
 //! Monte-Carlo of a kinematics scenario, in blocks of trials: any number of workers, one result.
 
 use alloc::string::ToString;
+use alloc::vec::Vec;
 
 use super::block::KinematicsBlock;
+use super::bounds::{KinematicsBoundReport, kinematics_bounds};
 use super::errors::Yardstick;
 use super::report::{KinematicsEstimatorReport, KinematicsReport};
 use crate::error::{Error, Result};
@@ -81,8 +83,19 @@ impl<'a> KinematicsMonteCarlo<'a> {
         Ok(self.report(&done))
     }
 
-    /// The figures of the blocks joined so far.
+    /// The figures of the blocks joined so far, beside their bounds.
     pub fn report(&self, done: &KinematicsBlock) -> KinematicsReport {
+        self.report_beside(done, kinematics_bounds(self.scenario, &self.setup, &self.yardstick).to_vec())
+    }
+
+    /// The same beside bounds that are there already: they do not change from block to block, and take a while.
+    pub fn report_beside(
+        &self,
+        done: &KinematicsBlock,
+        bounds: Vec<KinematicsBoundReport>,
+    ) -> KinematicsReport {
+        let estimators = self.scenario.estimators.enabled.iter().enumerate();
+        KinematicsReport {
         let estimators = self.scenario.estimators.enabled.iter().enumerate();
         KinematicsReport {
             version: VERSION,
@@ -97,6 +110,7 @@ impl<'a> KinematicsMonteCarlo<'a> {
                     summary: done.estimator(index),
                 })
                 .collect(),
+            bounds,
         }
     }
 }

@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 
 use serde::{Deserialize, Serialize};
 
+use super::bounds::KinematicsBoundReport;
 use crate::model::kinematics::settings::KinematicsName;
 use crate::study::moments::Estimate;
 
@@ -24,6 +25,8 @@ pub struct KinematicsReport {
     pub instants: Vec<f64>,
     /// One entry an estimator.
     pub estimators: Vec<KinematicsEstimatorReport>,
+    /// What no unbiased estimator can beat: from distances alone, and with accelerations.
+    pub bounds: Vec<KinematicsBoundReport>,
 }
 
 /// One estimator over all trials.

@@ -78,13 +78,13 @@ impl AnchorlessSum {
         Ok(())
     }
 
-    /// The figures so far: JSON, the crate's `KinematicsReport` at each number of stamps.
+    /// The figures so far: JSON, the crate's `KinematicsReport` at each number of stamps, without its bounds.
     ///
     /// # Errors
     /// Never for the scenario that [`AnchorlessSum::new`] took.
     pub fn reports(&self) -> Result<String, JsError> {
         let report = |(scenario, sum): &(KinematicsScenario, KinematicsBlock)| {
-            Ok(KinematicsMonteCarlo::new(scenario, sum.trials().max(1))?.report(sum))
+            Ok(KinematicsMonteCarlo::new(scenario, sum.trials().max(1))?.report_beside(sum, Vec::new()))
         };
         Ok(json(&self.sums.iter().map(report).collect::<Result<Vec<_>, Error>>()?))
     }

@@ -168,8 +168,7 @@ fn position(pose: &PoseEntries, to: &mut Vec<f64>) {
 
 /// One row a beacon; all zero where there was no fix.
 fn presence(epoch: &IndoorEpoch, beacons: usize) -> Vec<u8> {
-    let mut present: Vec<u8> =
-        epoch.ranges.iter().flatten().map(|range| u8::from(range.is_some())).collect();
+    let mut present: Vec<u8> = epoch.ranges.iter().flatten().map(|range| u8::from(range.is_some())).collect();
     present.resize(beacons * TRANSMITTERS, 0);
     present
 }

@@ -8,12 +8,12 @@ mod draws;
 mod study;
 mod track_run;
 
+use rangelab::Error;
 use rangelab::model::presets::PRESETS;
 use rangelab::model::scenario::Scenario;
 use rangelab::model::topologies;
 use rangelab::study::monte_carlo::TRIALS_PER_BLOCK;
 use rangelab::study::track_run::run_scenario;
-use rangelab::Error;
 use rangelab_wasm_shared::{complaints, json};
 use wasm_bindgen::prelude::*;
 

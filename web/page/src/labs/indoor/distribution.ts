@@ -36,7 +36,7 @@ function plot(
   return {
     ...PLAIN,
     name: `indoor-cdf-${word}`,
-    title: `CDF, ${word} RMSE`,
+    title: `CDF of ${word}`,
     shortTitle: `CDF, ${word}`,
     unit: "%",
     scale: "linear",

@@ -115,7 +115,10 @@ function integration(levels: readonly Level[], convention: Convention): Finding 
   if (ratio > FAR) {
     const who =
       convention === "mean" ? "whose integration matches ‘mean’ samples" : "which integrates exactly";
-    return { weight: ratio > LOST ? 84 : 75, text: `${exact.label}, ${who}, is ${formatTimes(ratio)} times as good: ${metres}.` };
+    return {
+      weight: ratio > LOST ? 84 : 75,
+      text: `${exact.label}, ${who}, is ${formatTimes(ratio)} times as good: ${metres}.`,
+    };
   }
   if (ratio < 1 / FAR) {
     const why =
