@@ -96,8 +96,6 @@ impl<'a> KinematicsMonteCarlo<'a> {
     ) -> KinematicsReport {
         let estimators = self.scenario.estimators.enabled.iter().enumerate();
         KinematicsReport {
-        let estimators = self.scenario.estimators.enabled.iter().enumerate();
-        KinematicsReport {
             version: VERSION,
             name: self.scenario.name.clone(),
             trials: done.trials(),
