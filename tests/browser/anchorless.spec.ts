@@ -129,7 +129,7 @@ test("what an estimator cannot do is said, and the others go on", async ({ page 
   const lab = await openAnchorless(page, "kinematics-four");
   await expect(errors(page).locator('[data-estimator="algorithm-1-rank1"] .remark')).toContainText("5");
   expect(Number((await read(page, "maximum-likelihood"))[0])).toBeGreaterThan(0);
-  await expect(lab.status).toContainText("Algorithm 1, rank one (and one more) gives nothing");
+  await expect(lab.status).toContainText("Alg. 1, rank one (and one more) gives nothing");
   await lab.openPreset("kinematics-constant");
   await expect(errors(page).locator('[data-estimator="algorithm-1-rank1"] td').first()).toBeVisible();
 });

@@ -1,6 +1,6 @@
 /** The module of the lab Anchorless: its documents, one trial through its estimators, bounds, and studies of many. */
 import type { GramSpectrum } from "../generated/GramSpectrum";
-import type { KinematicsBounds } from "../generated/KinematicsBounds";
+import type { KinematicsBoundReport } from "../generated/KinematicsBoundReport";
 import type { KinematicsName } from "../generated/KinematicsName";
 import type { KinematicsPreset } from "../generated/KinematicsPreset";
 import type { KinematicsReport } from "../generated/KinematicsReport";
@@ -35,6 +35,16 @@ export interface KinematicsFound {
   readonly positionErrors: Float64Array;
   /** The same with an alignment at each instant, m: K. */
   readonly alignedPositionErrors: Float64Array;
+}
+
+type Bound = Pick<KinematicsBoundReport, "failure" | "coefficients" | "positions" | "aligned_positions">;
+
+/** What no unbiased estimator can beat. */
+export interface KinematicsBounds {
+  /** From distances alone. */
+  readonly distances: Bound;
+  /** From distances and accelerometers. */
+  readonly accelerometers: Bound;
 }
 
 /** One trial. */
@@ -105,17 +115,13 @@ export function anchorlessSpectrum(scenario: KinematicsScenario, trial: number):
   return JSON.parse(anchorlessModule.call(() => wasm.anchorless_spectrum(JSON.stringify(scenario), trial)));
 }
 
-/** The bounds of the scenario, of its positions at some instants (s). Throws an `Error` with a sentence. */
-export function anchorlessBounds(scenario: KinematicsScenario, instants: Float64Array): KinematicsBounds {
-  return JSON.parse(anchorlessModule.call(() => wasm.anchorless_bounds(JSON.stringify(scenario), instants)));
-}
-
-/** The bounds that a study stands beside: of the coefficients at each number of stamps, else of all over time. */
-function studiedBounds(scenario: KinematicsScenario, counts: Uint32Array): KinematicsBounds[] {
+/** The bounds at each number of stamps, or at the scenario's own where there is none. Throws an `Error` with a sentence. */
+export function anchorlessBounds(scenario: KinematicsScenario, counts: Uint32Array): KinematicsBounds[] {
   const text = JSON.stringify(scenario);
-  if (counts.length > 0) return JSON.parse(anchorlessModule.call(() => wasm.swept_bounds(text, counts)));
-  const instants = anchorlessModule.call(() => wasm.anchorless_instants(text));
-  return [anchorlessBounds(scenario, instants)];
+  const pairs: [KinematicsBoundReport, KinematicsBoundReport][] = JSON.parse(
+    anchorlessModule.call(() => wasm.anchorless_bounds(text, counts)),
+  );
+  return pairs.map(([distances, accelerometers]) => ({ distances, accelerometers }));
 }
 
 /** The bound on the covariance of each node's position at a time (s), m²: N x D x D. Throws where there is none. */
@@ -144,7 +150,7 @@ export function anchorlessBlock(
 ): Float64Array {
   const text = JSON.stringify(scenario);
   const block = anchorlessModule.call(() => wasm.anchorless_block(text, counts, firstTrial));
-  const bounds = firstTrial === 0 ? flat(studiedBounds(scenario, counts)) : [];
+  const bounds = firstTrial === 0 ? flat(anchorlessBounds(scenario, counts)) : [];
   return Float64Array.of(bounds.length, ...bounds, ...block);
 }
 

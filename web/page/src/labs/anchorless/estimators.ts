@@ -36,7 +36,7 @@ function solvers(algorithm: 1 | 2, token: string, marks: readonly Shape[]): Kine
     dash: readonly number[],
   ): KinematicsEstimator => ({
     name: `algorithm-${algorithm}-${solver}`,
-    label: `Algorithm ${algorithm}, ${label}`,
+    label: `Alg. ${algorithm}, ${label}`,
     meaning,
     senses: algorithm === 2,
     token,

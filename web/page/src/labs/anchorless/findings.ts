@@ -1,6 +1,6 @@
 import { formatReading } from "../../controls/format";
+import type { KinematicsBounds } from "../../engine";
 import { type Finding, weightiest } from "../../findings";
-import type { KinematicsBounds } from "../../generated/KinematicsBounds";
 import { asSentence, countOf, startOf } from "../../words";
 import { estimatorOf } from "./estimators";
 import { type Level, levelsOfReport, levelsOfRun, overBound } from "./levels";

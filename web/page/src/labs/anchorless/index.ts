@@ -28,7 +28,7 @@ export const lab: Lab<AnchorlessRun, KinematicsScenario> = {
   firstPreset: "kinematics-paper",
   compute: runOf,
   shows: "Mobile nodes, their arrows and their estimates in space",
-  layers: [ground, distances, uncertainty, motion, arrows, estimates, handleMarks, anchors],
+  layers: [ground, distances, uncertainty, motion, arrows, anchors, estimates, handleMarks],
   uncertainty: {
     position: "Ellipses hold 95 % of the positions that the bounds allow, drawn larger as the errors are",
   },

@@ -1,4 +1,4 @@
-import type { KinematicsBounds } from "../../generated/KinematicsBounds";
+import type { KinematicsBounds } from "../../engine";
 import type { KinematicsName } from "../../generated/KinematicsName";
 import type { KinematicsReport } from "../../generated/KinematicsReport";
 import { boundOf, estimatorOf } from "./estimators";
@@ -33,7 +33,10 @@ export function levelsOfRun({ trial, bounds }: AnchorlessRun): Level[] {
 }
 
 /** On the average over trials. */
-export function levelsOfReport({ estimators }: KinematicsReport, bounds: KinematicsBounds): Level[] {
+export function levelsOfReport(
+  { estimators }: Pick<KinematicsReport, "estimators">,
+  bounds: KinematicsBounds,
+): Level[] {
   return estimators
     .filter(({ summary }) => summary.trials > 0 && summary.coefficients.length > 0)
     .map(({ name, summary: { coefficients, positions, aligned_positions } }) => ({

@@ -19,7 +19,6 @@ export function plots(_scenario: KinematicsScenario, run: AnchorlessRun): PlotSp
       ...ONE,
       title: "Error, one alignment",
       lines: lines(estimators, (found) => found.positionErrors),
-      note: "at t = 0, for all t",
     },
     {
       ...common,

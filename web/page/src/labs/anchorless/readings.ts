@@ -1,4 +1,4 @@
-import type { KinematicsBounds } from "../../generated/KinematicsBounds";
+import type { KinematicsBounds } from "../../engine";
 import type { KinematicsName } from "../../generated/KinematicsName";
 import { asSentence } from "../../words";
 import { type BoundKind, boundKinds, BOUNDS, estimatorOf, type KinematicsEstimator } from "./estimators";

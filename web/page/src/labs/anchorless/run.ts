@@ -3,11 +3,11 @@ import {
   anchorlessCovariances,
   anchorlessPreset,
   anchorlessSpectrum,
+  type KinematicsBounds,
   type KinematicsTrial,
   runAnchorless,
 } from "../../engine";
 import type { GramSpectrum } from "../../generated/GramSpectrum";
-import type { KinematicsBounds } from "../../generated/KinematicsBounds";
 import type { KinematicsScenario } from "../../generated/KinematicsScenario";
 import type { LabRun } from "../../lab";
 import type { BoundKind } from "./estimators";
@@ -25,7 +25,8 @@ export interface AnchorlessRun extends LabRun {
   covariances(kind: BoundKind, step: number): Float64Array | null;
 }
 
-const NO_INSTANTS = Float64Array.of();
+/** None but the scenario's own. */
+export const OWN_STAMPS = Uint32Array.of();
 
 export function runOf(scenario: KinematicsScenario): AnchorlessRun {
   const coefficients = seen(scenario);
@@ -50,7 +51,7 @@ export function runOf(scenario: KinematicsScenario): AnchorlessRun {
     scenario,
     trial,
     spectrum: anchorlessSpectrum(moved, 0),
-    bounds: anchorlessBounds(moved, NO_INSTANTS),
+    bounds: anchorlessBounds({ ...moved, steps: 1 }, OWN_STAMPS)[0],
     covariances: remembered((kind, step) => {
       try {
         return anchorlessCovariances(moved, kind === "accelerometers", times[step]);

@@ -14,7 +14,6 @@ export function studyPlots(averages: StampAverages, scenario: KinematicsScenario
       ...common,
       ...ONE,
       title: "RMSE, one alignment",
-      note: "at t = 0, for all t",
       lines: [
         ...boundLines(averages, scenario, "positions"),
         ...linesOf(averages.estimators, ({ summary }) => summary.positions),

@@ -1,5 +1,4 @@
-import { AnchorlessSum } from "../../engine";
-import type { KinematicsBounds } from "../../generated/KinematicsBounds";
+import { AnchorlessSum, type KinematicsBounds } from "../../engine";
 import type { KinematicsReport } from "../../generated/KinematicsReport";
 import type { KinematicsScenario } from "../../generated/KinematicsScenario";
 import type { LabStudy } from "../../lab";
@@ -7,11 +6,11 @@ import { keyOf, type StudyPlan, type StudySubject } from "../../state/study.svel
 import type { StampBlock } from "../../workers/messages";
 import { startAnchorlessWorker } from "../../workers/start";
 import { studyVerdict } from "./findings";
-import type { AnchorlessRun } from "./run";
+import { type AnchorlessRun, OWN_STAMPS } from "./run";
 import { studyPlots } from "./study-plots";
 
 /** The averages at the scenario's own stamps, and the bounds on them. */
-export interface StampAverages extends KinematicsReport {
+export interface StampAverages extends Omit<KinematicsReport, "bounds"> {
   readonly bounds: KinematicsBounds;
 }
 
@@ -29,8 +28,6 @@ export const study: LabStudy<AnchorlessRun, StampAverages, KinematicsScenario> =
   plots: ({ averages, scenario }) => studyPlots(averages, scenario),
   told: ({ averages }) => studyVerdict(averages),
 };
-
-const OWN_STAMPS = Uint32Array.of();
 
 /** Whatever the gauge is, the averages are the same: distances do not see it. */
 function subjectOf(

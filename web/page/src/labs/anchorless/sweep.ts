@@ -1,5 +1,4 @@
-import { AnchorlessSum } from "../../engine";
-import type { KinematicsBounds } from "../../generated/KinematicsBounds";
+import { AnchorlessSum, type KinematicsBounds } from "../../engine";
 import type { KinematicsReport } from "../../generated/KinematicsReport";
 import type { KinematicsScenario } from "../../generated/KinematicsScenario";
 import type { StudyPage } from "../../lab";

@@ -5,18 +5,14 @@ import { estimatorOf } from "./estimators";
 import { gaugeOf, isIdentity } from "./gauge";
 import { arrowSeconds } from "./hints";
 
-/** How to read the scene. */
+/** How to read the scene: how many times larger errors are drawn, and in what time arrows are gone along. */
 export function note(input: Input): string {
-  const { run, scenario, uncertainty } = input;
+  const { run, scenario } = input;
   if (!run) return "";
-  const times = formatNumber(errorScale(input));
-  const of = uncertainty.position ? "Errors, 95 % ellipses" : "Errors";
-  const parts = [
-    `${of} drawn × ${times}, at arrows × ${formatNumber(arrowScale(input))}`,
-    `arrows: way in ${formatNumber(arrowSeconds(scenario), 3)} s`,
-    ...(isIdentity(gaugeOf(scenario)) ? [] : ["turned by the gauge"]),
-  ];
-  return parts.join("; ");
+  const [errors, ofArrows] = [errorScale(input), arrowScale(input)].map((times) => formatNumber(times));
+  const seconds = formatNumber(arrowSeconds(scenario), 3);
+  const gauge = isIdentity(gaugeOf(scenario)) ? "" : "; turned by the gauge";
+  return `Errors × ${errors}, at arrows × ${ofArrows}; arrows: ${seconds} s${gauge}`;
 }
 
 /** The scene in words. */
