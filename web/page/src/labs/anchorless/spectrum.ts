@@ -10,7 +10,7 @@ const ROUNDING = 1e-12;
 export function spectrumPlots({ spectrum, anchors, dimension, scenario }: AnchorlessRun): PlotSpec[] {
   const common = { ...PLAIN, x: countAxis("eigenvalue", anchors.length) };
   const { degree } = scenario.estimators;
-  const note = `${dimension} are kept; after the gap: negative`;
+  const note = `${dimension} kept; last: negative`;
   const top = degree === 2 ? "accelerations" : `Y${degree}`;
   return [
     {
