@@ -51,8 +51,14 @@ fn the_python_module_keeps_the_bits() {
 
 #[test]
 fn the_browser_modules_keep_the_bits() {
-    let modules =
-        ["rangelab-track", "rangelab-explore", "rangelab-localize", "rangelab-indoor", "rangelab-figures"];
+    let modules = [
+        "rangelab-track",
+        "rangelab-explore",
+        "rangelab-localize",
+        "rangelab-indoor",
+        "rangelab-anchorless",
+        "rangelab-figures",
+    ];
     for package in modules {
         check(&["--package", package, "--target", "wasm32-unknown-unknown"]);
     }

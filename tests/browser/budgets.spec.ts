@@ -12,7 +12,14 @@ test.use({ launchOptions: graphicsBrowser });
  * The budget of 150 kB a module is missed and reported as missed. What every check holds is that no module grows by
  * accident: this is what each weighs, rounded up.
  */
-const HEAVIEST_MODULE_KB = { track: 316, explore: 290, localize: 276, indoor: 202, figures: 290 };
+const HEAVIEST_MODULE_KB = {
+  track: 316,
+  explore: 290,
+  localize: 276,
+  indoor: 202,
+  anchorless: 330,
+  figures: 290,
+};
 
 for (const [name, heaviest] of Object.entries(HEAVIEST_MODULE_KB))
   test(`the module of ${name} grows no further`, ({}, info) => {

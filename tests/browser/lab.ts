@@ -91,7 +91,7 @@ export class Lab {
   async choose(number: number): Promise<void> {
     const at = await this.anchorPixel(number);
     await this.page.mouse.click(at.x, at.y);
-    await expect(this.page.getByRole("group", { name: /^Selected (anchor|beacon)$/ })).toBeVisible();
+    await expect(this.page.getByRole("group", { name: /^Selected (anchor|beacon|node)$/ })).toBeVisible();
   }
 
   async openPreset(name: string): Promise<void> {

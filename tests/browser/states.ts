@@ -65,6 +65,14 @@ export const STATES: readonly State[] = [
   { name: "Indoor, groups open", prepare: indoorOpen },
   { name: "Indoor, beacon chosen", prepare: indoorChosen },
   { name: "Indoor, Monte-Carlo", prepare: indoorAverages },
+  { name: "Anchorless", prepare: (lab) => anchorless(lab) },
+  { name: "Anchorless, four nodes", prepare: (lab) => anchorless(lab, "Four nodes") },
+  { name: "Anchorless, space", prepare: (lab) => anchorless(lab, "Twelve nodes in space") },
+  { name: "Anchorless, gauge", prepare: anchorlessTurned },
+  { name: "Anchorless, tip chosen", prepare: anchorlessChosen },
+  { name: "Anchorless, groups open", prepare: anchorlessOpen },
+  { name: "Anchorless, Monte-Carlo", prepare: (lab) => anchorlessAverages(lab, "Monte-Carlo") },
+  { name: "Anchorless, over K", prepare: (lab) => anchorlessAverages(lab, "Over K") },
   { name: "figures", prepare: (lab) => openFigures(lab) },
   { name: "figure computed", prepare: (lab) => computeFigure(lab) },
   { name: "figure claims", prepare: showClaims },
@@ -275,4 +283,35 @@ async function indoorChosen(lab: Lab): Promise<void> {
 async function indoorAverages(lab: Lab): Promise<void> {
   await indoor(lab);
   await averages(lab);
+}
+
+async function anchorless(lab: Lab, preset?: string): Promise<void> {
+  const labs = lab.page.getByRole("navigation", { name: "Labs" });
+  await labs.getByRole("button", { name: "Anchorless" }).click();
+  await expect(lab.page.getByRole("table", { name: "Errors of the estimators" })).toBeVisible();
+  if (preset) await lab.page.getByLabel("Preset").selectOption({ label: preset });
+}
+
+async function anchorlessTurned(lab: Lab): Promise<void> {
+  await anchorless(lab);
+  await lab.openSheet();
+  await lab.type("Turn all nodes", "30");
+  await lab.page.getByRole("checkbox", { name: "Mirror all nodes" }).check();
+}
+
+async function anchorlessChosen(lab: Lab): Promise<void> {
+  await anchorless(lab);
+  await lab.surface.focus();
+  for (let press = 0; press < 12; press++) await lab.page.keyboard.press("n");
+  await expect(lab.page.getByRole("group", { name: "Selected handle" })).toBeVisible();
+}
+
+async function anchorlessOpen(lab: Lab): Promise<void> {
+  await anchorless(lab, "Ten stamps only");
+  await lab.openGroups();
+}
+
+async function anchorlessAverages(lab: Lab, study: string): Promise<void> {
+  await anchorless(lab);
+  await averages(lab, study);
 }

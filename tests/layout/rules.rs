@@ -31,6 +31,7 @@ const FOREIGN: [(&str, &[&str]); 4] = [
             "rangelab_explore",
             "rangelab_localize",
             "rangelab_indoor",
+            "rangelab_anchorless",
             "rangelab_figures",
             "rangelab_wasm_shared",
         ],

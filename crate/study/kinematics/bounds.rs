@@ -3,6 +3,7 @@
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
+use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
 
 use super::errors::{GRAM_COEFFICIENTS, Yardstick};
@@ -65,4 +66,29 @@ fn bound(design: &KinematicsDesign, yardstick: &Yardstick) -> Result<KinematicsB
         aligned_positions: positions(Alignment::AtEach)?,
         ..KinematicsBoundReport::default()
     })
+}
+
+/// The bound on the covariance of the position of each node at a time (s), after one alignment from `Y_0`, m^2: D x D, node by
+/// node.
+///
+/// # Errors
+/// When the scenario is not valid or has no bound.
+pub fn node_covariances(
+    scenario: &KinematicsScenario,
+    accelerations: bool,
+    time: f64,
+) -> Result<Vec<DMatrix<f64>>> {
+    let setup = scenario.setup()?;
+    let motion = Yardstick::new(scenario, &setup).motion().clone();
+    let design = match accelerations {
+        true => KinematicsDesign::with_accelerometers(&setup.stamps, &scenario.noise),
+        false => KinematicsDesign::distances(&setup.stamps, &scenario.noise),
+    };
+    let covariance = KinematicsBound::new(&motion, &design)?.position_covariance(time, Alignment::AtZero)?;
+    let dimension = motion.dimension();
+    let of_node = |node: usize| {
+        let at = node * dimension;
+        covariance.view((at, at), (dimension, dimension)).into_owned()
+    };
+    Ok((0..motion.nodes()).map(of_node).collect())
 }

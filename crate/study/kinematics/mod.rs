@@ -6,5 +6,6 @@ pub mod errors;
 pub mod monte_carlo;
 pub mod report;
 pub mod run;
+pub mod spectrum;
 pub mod sweep;
 mod tally;

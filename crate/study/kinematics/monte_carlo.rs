@@ -1,5 +1,7 @@
 //! Monte-Carlo of a kinematics scenario, in blocks of trials: any number of workers, one result.
 
+use alloc::vec::Vec;
+
 use super::block::KinematicsBlock;
 use super::bounds::{KinematicsBoundReport, kinematics_bounds};
 use super::errors::Yardstick;
@@ -24,7 +26,6 @@ pub struct KinematicsMonteCarlo<'a> {
     scenario: &'a KinematicsScenario,
     setup: KinematicsSetup,
     yardstick: Yardstick,
-    bounds: [KinematicsBoundReport; 2],
     trials: usize,
 }
 
@@ -40,8 +41,7 @@ impl<'a> KinematicsMonteCarlo<'a> {
         }
         let setup = scenario.setup()?;
         let yardstick = Yardstick::new(scenario, &setup);
-        let bounds = kinematics_bounds(scenario, &setup, &yardstick);
-        Ok(Self { scenario, setup, yardstick, bounds, trials })
+        Ok(Self { scenario, setup, yardstick, trials })
     }
 
     /// How many blocks there are.
@@ -78,8 +78,17 @@ impl<'a> KinematicsMonteCarlo<'a> {
         Ok(self.report(&done))
     }
 
-    /// The figures of the blocks joined so far.
+    /// The figures of the blocks joined so far, beside their bounds.
     pub fn report(&self, done: &KinematicsBlock) -> KinematicsReport {
-        KinematicsReport::new(self.scenario, (&self.setup, &self.yardstick), done, self.bounds.to_vec())
+        self.report_beside(done, kinematics_bounds(self.scenario, &self.setup, &self.yardstick).to_vec())
+    }
+
+    /// The same beside bounds that are there already: they do not change from block to block, and take a while.
+    pub fn report_beside(
+        &self,
+        done: &KinematicsBlock,
+        bounds: Vec<KinematicsBoundReport>,
+    ) -> KinematicsReport {
+        KinematicsReport::new(self.scenario, (&self.setup, &self.yardstick), done, bounds)
     }
 }

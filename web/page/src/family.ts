@@ -28,6 +28,8 @@ export interface Family<S extends SceneDocument = SceneDocument> {
   readonly name: string;
   /** What its documents call an anchor: "anchor", "beacon". */
   readonly anchor: string;
+  /** What they call what moves among them: "body", "network". */
+  readonly body: string;
   /** Brings what reading a document needs besides the page itself; a family without it can read at once. */
   load?(): Promise<void>;
   /** Whether a document that names no lab is one of these. */

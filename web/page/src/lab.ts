@@ -89,8 +89,8 @@ export interface Lab<R extends LabRun = LabRun, S extends SceneDocument = SceneD
   field?(input: SceneInput<R, S>): FieldPicture | null;
   /** What is found after the run and drawn with it: a change of any of it draws the scene anew. */
   found?(): readonly unknown[];
-  /** What the scene's uncertainty of each kind looks like, where it is not of ellipsoids and fans. */
-  readonly uncertainty?: Readonly<Record<keyof UncertaintyShown, string>>;
+  /** What the scene's uncertainty of each kind looks like, where it is not of ellipsoids and fans; others are not drawn. */
+  readonly uncertainty?: Readonly<Partial<Record<keyof UncertaintyShown, string>>>;
   labels(input: SceneInput<R, S>): Label[];
   /** What one must know to read the scene as it is now, shown beside it; empty where it is plain. */
   note(input: SceneInput<R, S>): string;

@@ -7,6 +7,11 @@ export function countOf(count: number): string {
   return NUMBERS[count] ?? String(count);
 }
 
+/** "a node", "an anchor". */
+export function withArticle(noun: string): string {
+  return `${/^[aeiou]/i.test(noun) ? "an" : "a"} ${noun}`;
+}
+
 /** "KF, UC-KF and ESKF". */
 export function joined(estimators: readonly { label: string }[]): string {
   return new Intl.ListFormat("en-GB").format(estimators.map(({ label }) => label));

@@ -13,4 +13,6 @@ export interface NumberSetting {
   readonly step?: number;
   readonly min?: number;
   readonly max?: number;
+  /** Whole numbers only: a slider stops at them. */
+  readonly whole?: boolean;
 }

@@ -3,12 +3,14 @@
  * scene renderer in two builds. What leaves this folder are plain objects, typed arrays and errors whose message is a
  * sentence for the student.
  */
+import { anchorlessModule } from "./anchorless";
 import { exploreModule } from "./explore";
 import { figuresModule } from "./figures";
 import { indoorModule } from "./indoor";
 import { localizeModule } from "./localize";
 import { trackModule } from "./track";
 
+export * from "./anchorless";
 export * from "./explore";
 export * from "./figures";
 export * from "./indoor";
@@ -24,6 +26,7 @@ export const modules = {
   explore: exploreModule,
   localize: localizeModule,
   indoor: indoorModule,
+  anchorless: anchorlessModule,
   figures: figuresModule,
 };
 

@@ -8,6 +8,7 @@ import { removeAnchors, withAnchors } from "./anchor-edits";
 export const rigidBody: Family<Scenario> = {
   name: "rigid body",
   anchor: "anchor",
+  body: "body",
   claims: (document) => "anchors" in document,
   validate,
   complete,

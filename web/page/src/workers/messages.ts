@@ -1,5 +1,6 @@
 import type { FigureOrder } from "../figure";
 import type { SceneDocument } from "../family";
+import type { KinematicsScenario } from "../generated/KinematicsScenario";
 import type { NextPlace } from "../generated/NextPlace";
 import type { RangeNoise, Scenario } from "../scenario";
 
@@ -18,6 +19,11 @@ export interface SweepBlock extends Block<Scenario> {
 /** Trials that one worker runs at each threshold of the ET-KF. */
 export interface BudgetBlock extends Block<Scenario> {
   readonly thresholds: Float64Array;
+}
+
+/** Trials that one worker runs at each number of stamps, or at the scenario's own where there is none. */
+export interface StampBlock extends Block<KinematicsScenario> {
+  readonly counts: Uint32Array;
 }
 
 /** What a block of trials adds to a study. */

@@ -1,4 +1,5 @@
 import {
+  anchorlessModule,
   type EngineModule,
   exploreModule,
   figuresModule,
@@ -43,6 +44,13 @@ export function startIndoorWorker(): PoolWorker<Block, Sums> {
   return loaded(
     new Worker(new URL("./indoor-worker.ts", import.meta.url), { type: "module", name: "indoor" }),
     indoorModule,
+  );
+}
+
+export function startAnchorlessWorker(): PoolWorker<Block, Sums> {
+  return loaded(
+    new Worker(new URL("./anchorless-worker.ts", import.meta.url), { type: "module", name: "anchorless" }),
+    anchorlessModule,
   );
 }
 

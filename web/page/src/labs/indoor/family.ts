@@ -9,6 +9,7 @@ const MARKS: readonly (keyof IndoorScenario)[] = ["beacons", "transmitters", "im
 export const indoor: Family<IndoorScenario> = {
   name: "indoor",
   anchor: "beacon",
+  body: "body",
   load: () => indoorModule.load(),
   claims: (document) => MARKS.some((key) => key in document),
   validate: validateIndoor,
