@@ -45,6 +45,11 @@ fn the_crate_alone_keeps_the_bits() {
 }
 
 #[test]
+fn the_python_module_keeps_the_bits() {
+    check(&["--package", "rangelab-python"]);
+}
+
+#[test]
 fn the_browser_modules_keep_the_bits() {
     let modules = [
         "rangelab-track",

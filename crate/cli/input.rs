@@ -49,17 +49,25 @@ impl ScenarioInput {
     }
 
     fn unchanged(&self) -> Result<Scenario, Failure> {
-        let origin = &self.origin;
-        let unknown = match presets::preset(origin) {
-            Ok(scenario) => return Ok(scenario),
-            Err(unknown) => unknown,
-        };
-        let looks_like_a_name = !origin.contains(['/', '\\', '.']) && origin != "-";
-        if looks_like_a_name && !std::path::Path::new(origin).exists() {
-            return Err(Failure::Usage(format!("{unknown}; nor is there a file of that name")));
-        }
-        Scenario::from_json(&read(origin)?).map_err(|error| Failure::about(self.name(), &error))
+        document(&self.origin, presets::preset(&self.origin), Scenario::from_json)
     }
+}
+
+/// The preset of a name, or else what is read from the file of that name, or from stdin for `-`.
+pub fn document<T>(
+    origin: &str,
+    preset: rangelab::Result<T>,
+    from_json: fn(&str) -> rangelab::Result<T>,
+) -> Result<T, Failure> {
+    let unknown = match preset {
+        Ok(document) => return Ok(document),
+        Err(unknown) => unknown,
+    };
+    let looks_like_a_name = !origin.contains(['/', '\\', '.']) && origin != "-";
+    if looks_like_a_name && !std::path::Path::new(origin).exists() {
+        return Err(Failure::Usage(format!("{unknown}; nor is there a file of that name")));
+    }
+    from_json(&read(origin)?).map_err(|error| Failure::about(name(origin), &error))
 }
 
 /// The text of a file, or of stdin for `-`.

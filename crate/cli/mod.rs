@@ -1,10 +1,12 @@
 //! The door from a shell: what can be asked, and who answers.
 
+mod anchorless;
 mod choices;
 mod estimate;
 mod failure;
 mod field;
 mod figure;
+mod indoor;
 mod input;
 mod localize;
 mod output;
@@ -15,6 +17,7 @@ mod progress;
 mod run;
 mod simulate;
 mod study;
+mod table;
 mod text;
 mod validate;
 mod workers;
@@ -30,6 +33,8 @@ Examples:
   rangelab presets                               what is there to try
   rangelab study tracking-paper --trials 1000    errors, bounds and their ratios over many trials
   rangelab figure tracking-2 -o figure.svg       a figure of a paper, with what holds of it
+  rangelab indoor study indoor-u                 filters of an IMU and ranges
+  rangelab anchorless study kinematics-paper     nodes that move, without anchors
   rangelab place room -o better.json             where the anchors should stand
   rangelab run room --format csv -o run.csv      one trial, every step of every estimator
   rangelab field room --format png -o field.png  the bound as a landscape
@@ -54,6 +59,8 @@ pub enum Command {
     Simulate(simulate::SimulateCommand),
     Estimate(estimate::EstimateCommand),
     Localize(localize::LocalizeCommand),
+    Indoor(indoor::IndoorCommand),
+    Anchorless(anchorless::AnchorlessCommand),
     Study(study::StudyCommand),
     Figure(figure::FigureCommand),
     Field(field::FieldCommand),
@@ -70,6 +77,8 @@ impl Command {
             Self::Simulate(command) => command.execute(),
             Self::Estimate(command) => command.execute(),
             Self::Localize(command) => command.execute(),
+            Self::Indoor(command) => command.execute(),
+            Self::Anchorless(command) => command.execute(),
             Self::Study(command) => command.execute(),
             Self::Figure(command) => command.execute(),
             Self::Field(command) => command.execute(),

@@ -1,6 +1,8 @@
 //! `rangelab presets`: the scenarios that come along.
 
 use clap::Args;
+use rangelab::model::indoor::presets::{INDOOR_PRESETS, indoor_preset};
+use rangelab::model::kinematics::presets::{KINEMATICS_PRESETS, kinematics_preset};
 use rangelab::model::presets::{PRESETS, preset};
 
 use super::failure::Failure;
@@ -10,7 +12,10 @@ use super::text::wrapped;
 const EXAMPLES: &str = "\
 Examples:
   rangelab presets                     their names and what they show
-  rangelab presets room > mine.json    one as JSON, to edit and then `rangelab run mine.json`";
+  rangelab presets room > mine.json    one as JSON, to edit and then `rangelab run mine.json`
+
+Those called indoor-… are for `rangelab indoor`, those called kinematics-… for `rangelab anchorless`, the others for all \
+other commands; `rangelab validate` takes any.";
 
 /// Longest line of the list.
 const LINE: usize = 100;
@@ -29,19 +34,31 @@ pub struct PresetsCommand {
 
 impl PresetsCommand {
     pub fn execute(&self) -> Result<(), Failure> {
-        self.output.write(&match &self.name {
-            None => list(),
-            Some(name) => preset(name).map_err(|error| Failure::Usage(error.to_string()))?.to_json(),
-        })
+        let text = self.name.as_ref().map_or_else(|| Ok(list()), |name| json(name));
+        self.output.write(&text.map_err(|error| Failure::Usage(error.to_string()))?)
     }
+}
+
+fn json(name: &str) -> rangelab::Result<String> {
+    if name.starts_with("indoor") {
+        return Ok(indoor_preset(name)?.to_json());
+    }
+    if name.starts_with("kinematics") {
+        return Ok(kinematics_preset(name)?.to_json());
+    }
+    Ok(preset(name)?.to_json())
 }
 
 /// Name, title and summary of each, the summaries wrapped to the width of a terminal.
 fn list() -> String {
-    let width = PRESETS.iter().map(|preset| preset.name.len()).max().unwrap_or(0);
-    let entries = PRESETS.iter().map(|preset| {
-        let lines = wrapped(preset.summary, LINE - width - 2);
-        let first = format!("{:<width$}  {}\n", preset.name, preset.title);
+    let rigid = PRESETS.iter().map(|preset| (preset.name, preset.title, preset.summary));
+    let indoor = INDOOR_PRESETS.iter().map(|preset| (preset.name, preset.title, preset.summary));
+    let kinematics = KINEMATICS_PRESETS.iter().map(|preset| (preset.name, preset.title, preset.summary));
+    let presets: Vec<_> = rigid.chain(indoor).chain(kinematics).collect();
+    let width = presets.iter().map(|(name, ..)| name.len()).max().unwrap_or(0);
+    let entries = presets.iter().map(|(name, title, summary)| {
+        let lines = wrapped(summary, LINE - width - 2);
+        let first = format!("{name:<width$}  {title}\n");
         lines.iter().fold(first, |entry, line| entry + &format!("{:width$}  {line}\n", ""))
     });
     entries.collect::<Vec<_>>().join("\n")

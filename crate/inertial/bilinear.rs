@@ -167,6 +167,12 @@ impl InputNoise {
         Self { turning, moving: r * input.acceleration_covariance * r.transpose() }
     }
 
+    /// So many times as much.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self { turning: self.turning * factor, moving: self.moving * factor }
+    }
+
     /// `self + weight (other - self)`, where `centre` plays the part of `self` in the difference.
     pub fn add_difference(&mut self, weight: f64, other: &Self, centre: &Self) {
         self.turning += (other.turning - centre.turning) * weight;

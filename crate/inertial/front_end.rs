@@ -6,7 +6,7 @@ use super::rigid_fix::rigid_fix;
 use super::trilateration::trilaterate;
 use crate::model::indoor::TRANSMITTERS;
 use crate::model::indoor::epoch::{BeaconRanges, IndoorModel};
-use crate::model::indoor::filter_settings::{FilterSettings, FixCovariance, FrontEndKind};
+use crate::model::indoor::filter_settings::{FilterSettings, FixCovariance, FrontEndKind, TransmitterChoice};
 
 /// Ranges that a transmitter needs to be found by itself.
 pub const LEAST_RANGES: usize = 4;
@@ -16,6 +16,7 @@ pub const LEAST_RANGES: usize = 4;
 pub struct FrontEnd {
     kind: FrontEndKind,
     covariance: FixCovariance,
+    transmitters: TransmitterChoice,
 }
 
 /// Where the transmitters are, as far as they were found.
@@ -28,7 +29,11 @@ pub struct Fix {
 impl FrontEnd {
     /// The front end of the settings.
     pub fn new(settings: &FilterSettings) -> Self {
-        Self { kind: settings.front_end, covariance: settings.fix_covariance }
+        Self {
+            kind: settings.front_end,
+            covariance: settings.fix_covariance,
+            transmitters: settings.transmitters,
+        }
     }
 
     /// Positions of the transmitters from the ranges of one epoch; `None` where none is found. `expected`, where they are
@@ -44,7 +49,11 @@ impl FrontEnd {
     ) -> Option<Fix> {
         let variance = model.sigma * model.sigma;
         let mut fix = Fix { transmitters: [None; TRANSMITTERS] };
-        for (i, found) in fix.transmitters.iter_mut().enumerate() {
+        let count = match self.transmitters {
+            TransmitterChoice::All => TRANSMITTERS,
+            TransmitterChoice::First => 1,
+        };
+        for (i, found) in fix.transmitters.iter_mut().enumerate().take(count) {
             let seen =
                 model.beacons.iter().zip(ranges).filter_map(|(beacon, ranges)| Some((beacon, ranges[i]?)));
             if seen.clone().count() < LEAST_RANGES {

@@ -14,13 +14,15 @@ use crate::error::Result;
 use crate::math::cholesky::Cholesky;
 use crate::math::float::sqrt;
 use crate::model::indoor::epoch::{IndoorEpoch, IndoorModel, IndoorStart};
-use crate::model::indoor::filter_settings::{FilterSettings, Transport};
+use crate::model::indoor::filter_settings::{FilterSettings, InputNoiseWeights, Transport};
 
 /// `alpha` of the scaled unscented transform. The paper takes 1e-3; where, as here, everything is at most quadratic in the
 /// state it drops out, and 1 loses no digits in sums that 1e-3 gives weights of -9e5 and 3e4.
 const ALPHA: f64 = 1.0;
 /// `kappa`, the paper's iota. It drops out too.
 const KAPPA: f64 = 1.0;
+/// The paper's `alpha`, which does not drop out where weights are squared.
+const PRINTED_ALPHA: f64 = 1e-3;
 
 /// UKF and UKFRie.
 #[derive(Clone, Debug)]
@@ -29,6 +31,7 @@ pub struct UnscentedFilter {
     front_end: FrontEnd,
     transmitters: Transmitters,
     manifold: Option<Riemannian>,
+    weights: InputNoiseWeights,
     belief: Belief,
 }
 
@@ -107,6 +110,7 @@ impl UnscentedFilter {
             front_end: FrontEnd::new(settings),
             transmitters: Transmitters::new(model),
             manifold,
+            weights: settings.input_noise_weights,
             belief: Belief::before(initial)?,
         })
     }
@@ -132,6 +136,9 @@ impl UnscentedFilter {
         }
         belief.x = centre + spread.left;
         belief.p = spread.covariance();
+        if self.weights == InputNoiseWeights::Squared {
+            noise = squared_weights(&here, &noise);
+        }
         noise.add_to(&mut belief.p, t);
         fall(&mut belief.x, &self.model.gravity, t);
         check(&belief.x)?;
@@ -173,6 +180,18 @@ impl UnscentedFilter {
         }
         Ok(FixRecord { nis: update.nis, degrees_of_freedom: fix.coordinates() })
     }
+}
+
+/// `sum xi_l^2 N(chi_l)` for the paper's `alpha`, where `once = sum xi_l N(chi_l)` for any, and `here = N(chi_0)`.
+///
+/// As `N` is a quadratic form of `R`, `sum_l>0 (N(chi_l) - N(chi_0))` is `(once - here)/xi`, in proportion to `1/xi`.
+fn squared_weights(here: &InputNoise, once: &InputNoise) -> InputNoise {
+    let xi = 0.5 / (PRINTED_ALPHA * PRINTED_ALPHA * (STATE as f64 + KAPPA));
+    let points = 2.0 * STATE as f64;
+    let centre = 1.0 - points * xi;
+    let mut noise = here.scaled(centre * centre + points * xi * xi);
+    noise.add_difference(xi, once, here);
+    noise
 }
 
 /// The points of a belief, whose covariance is replaced by the nearest positive definite one where it is none.

@@ -49,6 +49,18 @@ pub enum Optimum {
     Local,
 }
 
+impl Optimum {
+    /// The name in documents.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Formula => "formula",
+            Self::Certified => "certified",
+            Self::Searched => "searched",
+            Self::Local => "local",
+        }
+    }
+}
+
 /// The answer of a snapshot estimator.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate<const D: usize> {

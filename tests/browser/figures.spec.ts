@@ -66,6 +66,34 @@ test("a figure is computed with progress, and its files are those of the command
   expect(await violations(page)).toEqual([]);
 });
 
+test("a figure of indoor tracking is that of the command line", async ({ page }) => {
+  test.setTimeout(1_200_000);
+  await Lab.open(page);
+  const dialog = await open(page);
+  await dialog.getByRole("button", { name: /Distribution of the RMSE of the position/ }).click();
+  await compute(dialog, 40);
+  await expect(dialog.getByTestId("figure-progress")).toHaveText(/jobs, complete/, { timeout: 120_000 });
+  const command = "rangelab figure indoor-9 --trials 40 --seed 1";
+  await expect(dialog.locator("code")).toHaveText(command);
+  expect(await saved(page, dialog, "JSON")).toBe(commandLine(command, "json").trimEnd());
+  expect(await saved(page, dialog, "CSV")).toBe(commandLine(command, "csv"));
+  expect(await violations(page)).toEqual([]);
+});
+
+test("a figure of relative kinematics is that of the command line", async ({ page }) => {
+  test.setTimeout(1_200_000);
+  await Lab.open(page);
+  const dialog = await open(page);
+  await dialog.getByRole("button", { name: /^Fig\. 2b/ }).click();
+  await compute(dialog, 20);
+  await expect(dialog.getByTestId("figure-progress")).toHaveText(/jobs, complete/, { timeout: 240_000 });
+  const command = "rangelab figure kinematics-2b --trials 20 --seed 1";
+  await expect(dialog.locator("code")).toHaveText(command);
+  expect(await saved(page, dialog, "JSON")).toBe(commandLine(command, "json").trimEnd());
+  expect(await saved(page, dialog, "CSV")).toBe(commandLine(command, "csv"));
+  expect(await violations(page)).toEqual([]);
+});
+
 test("a figure can be cancelled; what is there stays, and files are made of complete ones only", async ({
   page,
 }) => {

@@ -1,8 +1,10 @@
 //! The built command line: what it writes, where, and with which exit code.
 
+mod anchorless;
 mod command;
 mod field;
 mod figure;
+mod indoor;
 mod localize;
 mod place;
 mod refusals;

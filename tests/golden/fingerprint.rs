@@ -114,7 +114,15 @@ pub fn figure_fingerprints(
         line(&format!("blocks of {name}"), |hash| hash.numbers(blocks.iter().flatten()))
             + &line(&format!("report of {name}"), |hash| hash.bytes(text.as_bytes()))
     };
-    [("tracking-3", 27, 2), ("localization-6", 3, 2)].map(each).concat()
+    let figures = [
+        ("tracking-3", 27, 2),
+        ("localization-6", 3, 2),
+        ("indoor-4", 2, 2),
+        ("indoor-9", 6, 2),
+        ("kinematics-1", 2, 2),
+        ("kinematics-2b", 11, 2),
+    ];
+    figures.map(each).concat()
 }
 
 /// A line for the field, one for the next anchor and one for better anchors, of a scenario in the plane and of two in space.

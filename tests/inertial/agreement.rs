@@ -3,7 +3,9 @@
 use rangelab::inertial::filter::InertialStep;
 use rangelab::inertial::inertial_filter;
 use rangelab::model::indoor::epoch::IndoorRecording;
-use rangelab::model::indoor::filter_settings::{FilterName, FilterSettings, Retraction, Transport};
+use rangelab::model::indoor::filter_settings::{
+    FilterName, FilterSettings, InputNoiseWeights, Retraction, Transport,
+};
 use rangelab::model::indoor::presets::indoor_preset;
 use rangelab::model::indoor::{IndoorScenario, StartPrior};
 use rangelab::simulate::indoor::simulate_indoor;
@@ -116,7 +118,7 @@ fn settings(
     tangent_correction: bool,
 ) -> (FilterSettings, Choices) {
     let settings = FilterSettings { transport, retraction, tangent_correction, ..FilterSettings::default() };
-    (settings, Choices { transport, retraction, tangent_correction })
+    (settings, Choices { transport, retraction, tangent_correction, squared_weights: false })
 }
 
 #[test]
@@ -151,6 +153,24 @@ fn every_choice_of_transport_and_retraction_is_the_reference() {
     }
 }
 
+/// The noise grows by 1e12 within a few steps: fewer of them, and fewer digits.
+#[test]
+fn squared_weights_are_the_reference() {
+    let mut recording = recording();
+    recording.epochs.truncate(5);
+    let (mut settings, mut choices) = settings(Transport::Congruence, Retraction::Qr, false);
+    choices.squared_weights = true;
+    for name in [FilterName::Ukf, FilterName::UkfRie] {
+        settings.input_noise_weights = InputNoiseWeights::Once;
+        let (_, covariance) = largest_difference(name, &settings, &choices, &recording);
+        caught(&format!("{name} with weights once"), covariance, 0.5);
+        settings.input_noise_weights = InputNoiseWeights::Squared;
+        let (state, covariance) = largest_difference(name, &settings, &choices, &recording);
+        at_most(&format!("state of {name}"), state, 1e-4);
+        at_most(&format!("covariance of {name}"), covariance, 1e-4);
+    }
+}
+
 /// Each filter is told from its neighbour by the same comparison.
 #[test]
 fn the_wrong_reference_is_refused() {
@@ -182,7 +202,7 @@ fn the_wrong_reference_is_refused() {
         (Transport::Literal, Retraction::Qr),
         (Transport::Congruence, Retraction::Polar),
     ] {
-        let wrong = Choices { transport, retraction, tangent_correction: false };
+        let wrong = Choices { transport, retraction, tangent_correction: false, squared_weights: false };
         let (state, covariance) = largest_difference(FilterName::EkfRie, &settings, &wrong, &recording);
         caught(&format!("EKFRie with {transport:?} and {retraction:?}"), state.max(covariance), 1e3 * LIMIT);
     }

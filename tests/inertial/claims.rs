@@ -3,7 +3,9 @@
 use rangelab::inertial::inertial_filter;
 use rangelab::math::rotation::Rotation;
 use rangelab::model::imu::{Convention, LeverArmCorrection};
-use rangelab::model::indoor::filter_settings::{FilterName, FilterSettings, FrontEndKind, Transport};
+use rangelab::model::indoor::filter_settings::{
+    FilterName, FilterSettings, FrontEndKind, InputNoiseWeights, TransmitterChoice, Transport,
+};
 use rangelab::model::indoor::presets::{INDOOR_PRESETS, indoor_preset};
 use rangelab::model::indoor::{IndoorScenario, StartPrior};
 use rangelab::simulate::indoor::simulate_indoor;
@@ -60,6 +62,51 @@ fn a_wide_prior_costs_what_the_specification_says() {
         for ((name, summary), printed) in ["EKF", "EKFRie", "MEKF"].into_iter().zip(&found).zip(printed) {
             near(&format!("{name}, P0 = {variance}"), summary, printed, 5.0);
         }
+    }
+}
+
+/// The reading in which the updated block is carried.
+#[test]
+fn a_wide_prior_helps_the_unscented_filter_as_the_specification_says() {
+    for (variance, printed) in [(1e-8, 0.358), (1e-4, 0.215), (1e-2, 0.132), (1.0, 0.200)] {
+        let mut scenario = indoor_preset("indoor-u").unwrap();
+        scenario.start.prior = StartPrior::Isotropic { variance };
+        scenario.filters.transport = Transport::Block;
+        let [found] = study(&scenario, [UkfRie], 20);
+        near(&format!("UKFRie, P0 = {variance}"), &found, printed, 8.0);
+    }
+}
+
+/// Three transmitters gain by averaging; on the path U as sampled, more than retraction does.
+#[test]
+fn one_transmitter_costs_what_the_specification_says() {
+    let rows = [
+        ("indoor-u", Convention::Sample, 40, [0.461, 0.421]),
+        ("indoor-u", Convention::Disc, 40, [0.561, 0.062]),
+        ("indoor-stair", Convention::Sample, 6, [0.725, 0.161]),
+    ];
+    for (path, convention, trials, printed) in rows {
+        let mut scenario = indoor_preset(path).unwrap();
+        scenario.imu.convention = convention;
+        scenario.filters.transmitters = TransmitterChoice::First;
+        let found = study(&scenario, [Ekf, EkfRie], trials);
+        for ((name, summary), printed) in ["EKF", "EKFRie"].into_iter().zip(&found).zip(printed) {
+            near(&format!("{name} with one transmitter on {path}, {convention:?}"), summary, printed, 5.0);
+        }
+    }
+}
+
+/// Step 5 as printed.
+#[test]
+fn squared_weights_cost_what_the_specification_says() {
+    for (path, printed, degrees) in [("indoor-u", 2.66, 82.0), ("indoor-static", 0.371, 67.0)] {
+        let mut scenario = indoor_preset(path).unwrap();
+        scenario.filters.input_noise_weights = InputNoiseWeights::Squared;
+        let [found] = study(&scenario, [FilterName::Ukf], 40);
+        near(&format!("UKF with squared weights on {path}"), &found, printed, 5.0);
+        let (angle, error) = (found.angle.value.to_degrees(), found.angle.standard_error.to_degrees());
+        println!("{angle:.1} +- {error:.1} deg, printed {degrees}");
+        assert!((angle - degrees).abs() < 0.05 * degrees + 4.0 * error, "{angle} +- {error}");
     }
 }
 

@@ -13,6 +13,8 @@ pub struct Choices {
     pub transport: Transport,
     pub retraction: Retraction,
     pub tangent_correction: bool,
+    /// Weights of the sigma points squared in the noise of the input, with alpha = 1e-3.
+    pub squared_weights: bool,
 }
 
 /// `[vec(R); p; v]` with its covariance.
@@ -222,9 +224,14 @@ impl Fifteen {
         }
     }
 
-    /// Sigma points with their weights, alpha = 1/2 and kappa = 1.
+    /// Sigma points with their weights, alpha = 1/2.
     fn sigma_points(&self) -> Vec<(f64, Vector)> {
-        let squared = 0.25 * 16.0;
+        self.sigma_points_at(0.5)
+    }
+
+    /// Those of an alpha, kappa = 1.
+    fn sigma_points_at(&self, alpha: f64) -> Vec<(f64, Vector)> {
+        let squared = alpha * alpha * 16.0;
         let l = cholesky(&self.p);
         let mut points = vec![(1.0 - 15.0 / squared, self.x.clone())];
         for j in 0..15 {
@@ -233,6 +240,14 @@ impl Fifteen {
             points.push((0.5 / squared, add(&self.x, -1.0, &column)));
         }
         points
+    }
+
+    /// The points at which step 5 takes the noise of the input, with its weights.
+    fn noise_points(&self, choices: &Choices) -> Vec<(f64, Vector)> {
+        if choices.squared_weights {
+            return self.sigma_points_at(1e-3).into_iter().map(|(xi, x)| (xi * xi, x)).collect();
+        }
+        self.sigma_points()
     }
 
     /// One step of UKF and UKFRie.
@@ -246,10 +261,11 @@ impl Fifteen {
         let on_manifold = name == FilterName::UkfRie;
         let (old, before) = (rotation(&self.x), self.p.clone());
         let points = self.sigma_points();
+        let noisy = self.noise_points(choices);
         let moved: Vec<_> = points.iter().map(|(xi, x)| (*xi, Self::moved(recording, epoch, x))).collect();
         self.x = mean(&moved);
         self.p = covariance(&moved, &self.x, &moved, &self.x);
-        for (xi, x) in &points {
+        for (xi, x) in &noisy {
             self.p = plus(&self.p, *xi, &Self::noise(recording, epoch, x));
         }
         if on_manifold {

@@ -21,7 +21,7 @@ const FLOAT: &str = "crate/math/float.rs";
 const ENGINE: &str = "web/page/src/engine/";
 /// What the files of a folder never name: the numbers know no files, clock, threads, window or browser; the scene knows
 /// no estimators, and the facade of the estimators draws nothing.
-const FOREIGN: [(&str, &[&str]); 3] = [
+const FOREIGN: [(&str, &[&str]); 4] = [
     ("crate/", &OUTSIDE),
     (
         "web/scene/",
@@ -37,6 +37,7 @@ const FOREIGN: [(&str, &[&str]); 3] = [
         ],
     ),
     ("web/wasm/", &["rangelab_scene", "wgpu"]),
+    ("web/viser/", &["rangelab_scene", "wgpu", "libm", "wasm_bindgen"]),
 ];
 const OUTSIDE: [&str; 9] =
     ["libm", "wasm_bindgen", "js_sys", "web_sys", "wgpu", "std::fs", "std::thread", "std::time", "std::env"];

@@ -2,3 +2,5 @@
 
 mod anchor_draws;
 mod budget;
+mod indoor_sweep;
+mod kinematics_sweep;

@@ -124,7 +124,7 @@ pub fn algorithm_2(record: &DistanceRecord, degree: usize, solver: Solver) -> Re
     scaled.extend(sensed.coefficients()[2..].iter().map(|each| &found.rotation * each));
     Ok(KinematicsEstimate {
         kinematics: Some(in_seconds(record, scaled)?),
-        gram: fit.powers(),
+        gram: sums(fit.powers(), record.time_scale().unscale(&sensed).gram()),
         rotation: Some(found.rotation.transpose()),
         cost: found.cost,
         iterations: found.iterations,
@@ -211,6 +211,14 @@ fn sensed_accelerations(
         coefficients.push(power * factor);
     }
     Ok(RelativeKinematics::from_coefficients(coefficients))
+}
+
+/// The coefficients of the sum of two polynomials.
+fn sums(mut one: Vec<DMatrix<f64>>, other: Vec<DMatrix<f64>>) -> Vec<DMatrix<f64>> {
+    let both = one.len().min(other.len());
+    one.iter_mut().zip(&other).for_each(|(one, other)| *one += other);
+    one.extend(other.into_iter().skip(both));
+    one
 }
 
 fn in_seconds(record: &DistanceRecord, scaled: Vec<DMatrix<f64>>) -> Result<RelativeKinematics> {

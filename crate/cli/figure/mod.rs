@@ -35,7 +35,7 @@ pub struct FigureCommand {
     #[arg(value_name = "NAME")]
     name: Option<String>,
 
-    /// Number of trials [default: as many as in the paper]
+    /// Number of trials [default: as many as in the paper, or in half a minute]
     #[arg(long, value_name = "COUNT")]
     trials: Option<usize>,
 

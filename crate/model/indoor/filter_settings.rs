@@ -155,6 +155,32 @@ pub enum FixCovariance {
     Geometry,
 }
 
+/// Which transmitters are ranged, as far as filters on positions of transmitters see.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(export))]
+#[serde(rename_all = "lowercase")]
+pub enum TransmitterChoice {
+    /// All three.
+    #[default]
+    All,
+    /// The first alone, the corner between the equal sides of the paper's triangle: what averaging over three gains is
+    /// the difference. It is never fitted as a triangle.
+    First,
+}
+
+/// How the sigma points of the UKF are weighted in the noise of its input, `sum_l w_l g(chi_l) Q g(chi_l)^T` (\[I\]
+/// Algorithm 2, step 5).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(export))]
+#[serde(rename_all = "lowercase")]
+pub enum InputNoiseWeights {
+    /// By the weights of the transform, `w_l = xi_l`: the mean of the noise over the points.
+    #[default]
+    Once,
+    /// By their squares, `w_l = xi_l^2`, as printed, with the paper's `alpha = 1e-3`: `xi_0^2 = 8.8e11`.
+    Squared,
+}
+
 /// Which filters run, and the choices they share.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(export))]
@@ -172,6 +198,10 @@ pub struct FilterSettings {
     pub front_end: FrontEndKind,
     /// Of the same filters.
     pub fix_covariance: FixCovariance,
+    /// Of the same filters.
+    pub transmitters: TransmitterChoice,
+    /// Of UKF and UKFRie.
+    pub input_noise_weights: InputNoiseWeights,
 }
 
 impl Default for FilterSettings {
@@ -184,6 +214,8 @@ impl Default for FilterSettings {
             tangent_correction: false,
             front_end: FrontEndKind::default(),
             fix_covariance: FixCovariance::default(),
+            transmitters: TransmitterChoice::default(),
+            input_noise_weights: InputNoiseWeights::default(),
         }
     }
 }

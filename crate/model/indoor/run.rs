@@ -6,6 +6,7 @@ use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 
 use super::filter_settings::{FilterName, FilterSettings};
+use crate::math::float::sqrt;
 use crate::model::document::entries::PoseEntries;
 use crate::model::document::write;
 
@@ -85,6 +86,27 @@ pub struct IndoorStepRecord {
     pub repairs: usize,
     /// Whether a Q-factor was a reflection and was turned.
     pub reflected: bool,
+}
+
+impl IndoorFilterRun {
+    /// Root mean square distance from the true position over its steps, m; 0 without any.
+    pub fn rms_position_error(&self) -> f64 {
+        sqrt(self.mean(|step| step.position_error * step.position_error))
+    }
+
+    /// Root mean square angle between its rotation and the true one over its steps, rad; 0 without any.
+    pub fn rms_angle_error(&self) -> f64 {
+        sqrt(self.mean(|step| step.angle_error * step.angle_error))
+    }
+
+    /// Mean NEES over its 9 degrees of freedom; 0 without steps.
+    pub fn mean_nees(&self) -> f64 {
+        self.mean(|step| step.nees)
+    }
+
+    fn mean(&self, part: impl Fn(&IndoorStepRecord) -> f64) -> f64 {
+        self.steps.iter().map(part).sum::<f64>() / self.steps.len().max(1) as f64
+    }
 }
 
 impl IndoorRun {

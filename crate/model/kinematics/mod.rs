@@ -161,9 +161,7 @@ impl KinematicsScenario {
 
     /// The instants at which the motion is played and positions are compared, s.
     pub fn instants(&self) -> Vec<f64> {
-        let times = self.stamps.times();
-        let first = times.iter().copied().fold(f64::INFINITY, f64::min);
-        let last = times.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let [first, last] = self.stamps.ends();
         stamps::evenly(first, last, self.steps)
     }
 }

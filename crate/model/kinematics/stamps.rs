@@ -41,6 +41,21 @@ impl Stamps {
         }
     }
 
+    /// `count` stamps evenly over the same time.
+    #[must_use]
+    pub fn evenly(&self, count: usize) -> Self {
+        let [first, last] = self.ends();
+        Self::Regular { first, last, count }
+    }
+
+    /// The earliest and the latest, s.
+    pub(super) fn ends(&self) -> [f64; 2] {
+        let times = self.times();
+        let first = times.iter().copied().fold(f64::INFINITY, f64::min);
+        let last = times.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        [first, last]
+    }
+
     /// The stamps, s.
     pub fn times(&self) -> Vec<f64> {
         match self {

@@ -1,147 +1,147 @@
-//! What a figure simulates: trackers over the steps of a scenario, or snapshot estimators over a sweep of the noise.
+//! What a figure simulates, of whatever kind. A kind of experiment is a type that is a [`Kind`] and a line of `kinds!`.
 
 use alloc::vec::Vec;
 
+use super::kinds::{NoiseSweep, Tracking};
+use super::report::FigureScenario;
 use crate::error::Result;
-use crate::model::scenario::Scenario;
 use crate::study::block::Block;
+use crate::study::indoor::sweep::{IndoorSweep, IndoorSweepReport, SweepBlock};
+use crate::study::kinematics::sweep::{KinematicsSweep, KinematicsSweepBlock, KinematicsSweepReport};
+use crate::study::localization::LocalizationBlock;
 use crate::study::localization::report::LocalizationReport;
-use crate::study::localization::{LocalizationBlock, LocalizationStudy, paper_sweep};
-use crate::study::monte_carlo::MonteCarlo;
 use crate::study::report::StudyReport;
 
-/// A scenario and what is done with it.
-#[derive(Clone, Debug)]
-pub(super) enum Experiment {
-    /// Trackers, step by step.
-    Track(Scenario),
-    /// Snapshot estimators at each noise of [`paper_sweep`].
-    Sweep(Scenario),
-}
+/// One kind of experiment: a scenario, and how its trials are counted in blocks.
+///
+/// Its sums have `merge` for the trials that come next, `append` for other trials of the same experiment, whichever they
+/// are, and `to_numbers`.
+pub(super) trait Kind {
+    /// Sums over consecutive trials.
+    type Sums;
+    /// What was found.
+    type Report;
 
-/// Sums over consecutive trials of an experiment.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Sums {
-    Track(Block),
-    Sweep(LocalizationBlock),
-}
+    fn scenario(&self) -> FigureScenario;
 
-/// What an experiment found.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Study {
-    /// Trackers, step by step.
-    Track(StudyReport),
-    /// Snapshot estimators, noise by noise.
-    Sweep(LocalizationReport),
-}
-
-impl Experiment {
-    pub(super) fn scenario(&self) -> &Scenario {
-        match self {
-            Self::Track(scenario) | Self::Sweep(scenario) => scenario,
-        }
-    }
-
-    pub(super) fn with_seed(mut self, seed: u64) -> Self {
-        match &mut self {
-            Self::Track(scenario) | Self::Sweep(scenario) => scenario.seed = seed,
-        }
-        self
-    }
+    fn set_seed(&mut self, seed: u64);
 
     /// How many blocks so many trials have.
-    pub(super) fn blocks(&self, trials: usize) -> Result<usize> {
-        Ok(match self {
-            Self::Track(scenario) => MonteCarlo::new(scenario, trials)?.blocks(),
-            Self::Sweep(scenario) => LocalizationStudy::new(scenario, paper_sweep(), trials)?.blocks(),
-        })
-    }
+    fn blocks(&self, trials: usize) -> Result<usize>;
 
-    /// No trials yet.
-    pub(super) fn start(&self) -> Sums {
-        match self {
-            Self::Track(scenario) => Sums::Track(Block::new(scenario, 0)),
-            Self::Sweep(scenario) => Sums::Sweep(LocalizationBlock::new(scenario, paper_sweep().len(), 0)),
-        }
-    }
+    /// No trials yet, and what no trial changes.
+    fn start(&self) -> Self::Sums;
 
     /// Block `index` of so many trials.
-    pub(super) fn block(&self, trials: usize, index: usize) -> Result<Sums> {
-        Ok(match self {
-            Self::Track(scenario) => Sums::Track(MonteCarlo::new(scenario, trials)?.block(index)?),
-            Self::Sweep(scenario) => {
-                Sums::Sweep(LocalizationStudy::new(scenario, paper_sweep(), trials)?.block(index)?)
-            }
-        })
-    }
+    fn block(&self, trials: usize, index: usize) -> Result<Self::Sums>;
 
-    /// The block of [`Sums::to_numbers`].
-    pub(super) fn read(&self, numbers: &[f64]) -> Result<Sums> {
-        Ok(match self {
-            Self::Track(scenario) => Sums::Track(Block::from_numbers(scenario, numbers)?),
-            Self::Sweep(scenario) => {
-                Sums::Sweep(LocalizationBlock::from_numbers(scenario, paper_sweep().len(), numbers)?)
-            }
-        })
-    }
+    /// The block of its `to_numbers`.
+    fn read(&self, numbers: &[f64]) -> Result<Self::Sums>;
 
-    /// What was found; nothing where the sums are of another experiment.
-    pub(super) fn report(&self, trials: usize, sums: &Sums) -> Result<Option<Study>> {
-        Ok(match (self, sums) {
-            (Self::Track(scenario), Sums::Track(block)) => {
-                Some(Study::Track(MonteCarlo::new(scenario, trials)?.report(block)))
-            }
-            (Self::Sweep(scenario), Sums::Sweep(block)) => {
-                Some(Study::Sweep(LocalizationStudy::new(scenario, paper_sweep(), trials)?.report(block)))
-            }
-            _ => None,
-        })
-    }
+    fn report(&self, trials: usize, sums: &Self::Sums) -> Result<Self::Report>;
 }
 
-impl Sums {
-    /// Appends the trials that come next.
-    pub(super) fn merge(&mut self, next: &Self) -> Result<()> {
-        match (self, next) {
-            (Self::Track(sum), Self::Track(next)) => sum.merge(next),
-            (Self::Sweep(sum), Self::Sweep(next)) => sum.merge(next),
-            _ => Ok(()),
+/// Makes one enum each of the experiments, their sums and their reports, which hand on to the kind.
+macro_rules! kinds {
+    ($($(#[$about:meta])* $kind:ident($experiment:ty, $sums:ty, $report:ty) = $as:ident;)*) => {
+        /// A scenario and what is done with it.
+        #[derive(Clone, Debug)]
+        pub(super) enum Experiment {
+            $($kind($experiment),)*
         }
-    }
 
-    /// Appends other trials of the same experiment, whichever they are.
-    pub(super) fn append(&mut self, next: &Self) {
-        match (self, next) {
-            (Self::Track(sum), Self::Track(next)) => sum.append(next),
-            (Self::Sweep(sum), Self::Sweep(next)) => sum.append(next),
-            _ => (),
+        /// Sums over consecutive trials of an experiment.
+        #[derive(Clone, Debug, PartialEq)]
+        pub(super) enum Sums {
+            $($kind($sums),)*
         }
-    }
 
-    pub(super) fn to_numbers(&self) -> Vec<f64> {
-        match self {
-            Self::Track(block) => block.to_numbers(),
-            Self::Sweep(block) => block.to_numbers(),
+        /// What an experiment found.
+        #[derive(Clone, Debug, PartialEq)]
+        pub enum Study {
+            $($(#[$about])* $kind($report),)*
         }
-    }
+
+        impl Experiment {
+            pub(super) fn scenario(&self) -> FigureScenario {
+                match self { $(Self::$kind(experiment) => Kind::scenario(experiment),)* }
+            }
+
+            pub(super) fn with_seed(mut self, seed: u64) -> Self {
+                match &mut self { $(Self::$kind(experiment) => Kind::set_seed(experiment, seed),)* }
+                self
+            }
+
+            pub(super) fn blocks(&self, trials: usize) -> Result<usize> {
+                match self { $(Self::$kind(experiment) => Kind::blocks(experiment, trials),)* }
+            }
+
+            pub(super) fn start(&self) -> Sums {
+                match self { $(Self::$kind(experiment) => Sums::$kind(Kind::start(experiment)),)* }
+            }
+
+            pub(super) fn block(&self, trials: usize, index: usize) -> Result<Sums> {
+                match self { $(Self::$kind(it) => Kind::block(it, trials, index).map(Sums::$kind),)* }
+            }
+
+            pub(super) fn read(&self, numbers: &[f64]) -> Result<Sums> {
+                match self { $(Self::$kind(it) => Kind::read(it, numbers).map(Sums::$kind),)* }
+            }
+
+            /// What was found; nothing where the sums are of another kind.
+            pub(super) fn report(&self, trials: usize, sums: &Sums) -> Result<Option<Study>> {
+                match (self, sums) {
+                    $((Self::$kind(it), Sums::$kind(sums)) => {
+                        Kind::report(it, trials, sums).map(|report| Some(Study::$kind(report)))
+                    })*
+                    _ => Ok(None),
+                }
+            }
+        }
+
+        impl Sums {
+            pub(super) fn merge(&mut self, next: &Self) -> Result<()> {
+                match (self, next) {
+                    $((Self::$kind(sums), Self::$kind(next)) => sums.merge(next),)*
+                    _ => Ok(()),
+                }
+            }
+
+            pub(super) fn append(&mut self, next: &Self) {
+                match (self, next) {
+                    $((Self::$kind(sums), Self::$kind(next)) => sums.append(next),)*
+                    _ => (),
+                }
+            }
+
+            pub(super) fn to_numbers(&self) -> Vec<f64> {
+                match self { $(Self::$kind(sums) => sums.to_numbers(),)* }
+            }
+        }
+
+        impl Study {
+            /// Trials that were run.
+            pub fn trials(&self) -> usize {
+                match self { $(Self::$kind(report) => report.trials,)* }
+            }
+
+            $(
+                /// The report, if it is of this kind.
+                pub fn $as(&self) -> Option<&$report> {
+                    match self { Self::$kind(report) => Some(report), _ => None }
+                }
+            )*
+        }
+    };
 }
 
-impl Study {
-    /// Trials that were run.
-    pub fn trials(&self) -> usize {
-        match self {
-            Self::Track(report) => report.trials,
-            Self::Sweep(report) => report.trials,
-        }
-    }
-
-    /// The trackers, if it is about them.
-    pub fn track(&self) -> Option<&StudyReport> {
-        if let Self::Track(report) = self { Some(report) } else { None }
-    }
-
-    /// The snapshot estimators, if it is about them.
-    pub fn sweep(&self) -> Option<&LocalizationReport> {
-        if let Self::Sweep(report) = self { Some(report) } else { None }
-    }
+kinds! {
+    /// Trackers, step by step.
+    Track(Tracking, Block, StudyReport) = track;
+    /// Snapshot estimators, noise by noise.
+    Sweep(NoiseSweep, LocalizationBlock, LocalizationReport) = sweep;
+    /// Inertial filters, point by point of a sweep.
+    Indoor(IndoorSweep, SweepBlock, IndoorSweepReport) = indoor;
+    /// Estimators of relative kinematics, number of stamps by number of stamps.
+    Kinematics(KinematicsSweep, KinematicsSweepBlock, KinematicsSweepReport) = kinematics;
 }

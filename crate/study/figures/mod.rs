@@ -8,11 +8,15 @@ pub mod claim;
 mod csv;
 pub mod experiment;
 mod extreme;
+mod indoor;
 mod jackknife;
+mod kinds;
+mod kinematics;
 mod localization;
 pub mod plan;
 pub mod report;
 mod tracking;
+mod wording;
 
 use alloc::format;
 use alloc::string::{String, ToString};
@@ -31,15 +35,15 @@ use crate::error::{Error, Result};
 pub struct Figure {
     /// Its name on the command line.
     pub name: &'static str,
-    /// The paper: T for tracking, L for localization.
+    /// The paper.
     pub paper: Paper,
-    /// Its number there.
-    pub number: usize,
+    /// Its number there, with the letter of its part.
+    pub number: &'static str,
     /// What it shows.
     pub title: &'static str,
     /// What the paper says about it, in a sentence.
     pub statement: &'static str,
-    /// Trials of the paper.
+    /// Trials where no number is asked for: those of the paper, or as many as take half a minute.
     pub trials: usize,
     /// What is simulated, each with a name.
     #[serde(skip)]
@@ -64,10 +68,14 @@ pub enum Paper {
     Tracking,
     /// \[L\], *Rigid Body Localization Using Sensor Networks*.
     Localization,
+    /// \[I\], *Indoor Position and Attitude Tracking with SO(3) Manifold*.
+    Indoor,
+    /// \[A\], *Relative Kinematics Estimation Using Accelerometer Measurements*.
+    Kinematics,
 }
 
 /// All figures, in the order in which they are listed.
-pub static FIGURES: [Figure; 10] = [
+pub static FIGURES: [Figure; 19] = [
     tracking::FIGURE_2,
     tracking::FIGURE_3,
     localization::FIGURE_2,
@@ -78,6 +86,15 @@ pub static FIGURES: [Figure; 10] = [
     localization::FIGURE_7,
     localization::FIGURE_8,
     localization::FIGURE_9,
+    indoor::FIGURE_4,
+    indoor::FIGURE_5,
+    indoor::FIGURE_6,
+    indoor::FIGURE_7,
+    indoor::FIGURE_8,
+    indoor::FIGURE_9,
+    kinematics::FIGURE_1,
+    kinematics::FIGURE_2A,
+    kinematics::FIGURE_2B,
 ];
 
 /// The seed that a figure has where none is asked for.
@@ -89,6 +106,8 @@ impl Figure {
         let paper = match self.paper {
             Paper::Tracking => "Tracking Position and Orientation of a Mobile Rigid Body",
             Paper::Localization => "Rigid Body Localization Using Sensor Networks",
+            Paper::Indoor => "Indoor Position and Attitude Tracking with SO(3) Manifold",
+            Paper::Kinematics => "Relative Kinematics Estimation Using Accelerometer Measurements",
         };
         format!("{paper}, Fig. {}", self.number)
     }
@@ -105,7 +124,7 @@ impl Figure {
 ///
 /// ```
 /// use rangelab::study::figures::figure;
-/// assert_eq!(figure("tracking-3")?.number, 3);
+/// assert_eq!(figure("kinematics-2a")?.number, "2a");
 /// assert!(figure("tracking-4").unwrap_err().to_string().contains("tracking-2, tracking-3"));
 /// # Ok::<(), rangelab::Error>(())
 /// ```

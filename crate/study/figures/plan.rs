@@ -160,7 +160,7 @@ impl FigurePlan {
         let trials = studies.iter().map(Study::trials).min().unwrap_or(0);
         let named = self.names.iter().zip(&self.experiments).map(|(name, experiment)| NamedScenario {
             name: (*name).to_string(),
-            scenario: experiment.scenario().clone(),
+            scenario: experiment.scenario(),
         });
         FigureReport {
             version: VERSION,

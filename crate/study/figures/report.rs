@@ -6,6 +6,8 @@ use alloc::vec::Vec;
 use serde::{Deserialize, Serialize};
 
 use super::claim::Claim;
+use crate::model::indoor::IndoorScenario;
+use crate::model::kinematics::KinematicsScenario;
 use crate::model::scenario::Scenario;
 use crate::study::moments::Estimate;
 
@@ -128,7 +130,49 @@ pub struct NamedScenario {
     /// What the figure calls it.
     pub name: String,
     /// All that its trials are told.
-    pub scenario: Scenario,
+    pub scenario: FigureScenario,
+}
+
+/// A scenario of any lab, as its document.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(export))]
+#[serde(untagged)]
+pub enum FigureScenario {
+    /// Of a rigid body and ranges.
+    Body(Scenario),
+    /// Of an IMU and ranges indoors.
+    Indoor(IndoorScenario),
+    /// Of mobile nodes and the distances between them.
+    Kinematics(KinematicsScenario),
+}
+
+impl From<Scenario> for FigureScenario {
+    fn from(scenario: Scenario) -> Self {
+        Self::Body(scenario)
+    }
+}
+
+impl From<IndoorScenario> for FigureScenario {
+    fn from(scenario: IndoorScenario) -> Self {
+        Self::Indoor(scenario)
+    }
+}
+
+impl From<KinematicsScenario> for FigureScenario {
+    fn from(scenario: KinematicsScenario) -> Self {
+        Self::Kinematics(scenario)
+    }
+}
+
+impl FigureScenario {
+    /// The document as JSON; every number comes back as the same bits.
+    pub fn to_json(&self) -> String {
+        match self {
+            Self::Body(scenario) => scenario.to_json(),
+            Self::Indoor(scenario) => scenario.to_json(),
+            Self::Kinematics(scenario) => scenario.to_json(),
+        }
+    }
 }
 
 impl FigureReport {

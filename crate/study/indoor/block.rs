@@ -24,9 +24,17 @@ pub struct IndoorBlock {
 impl IndoorBlock {
     /// No trials yet; the next one is number `first`.
     pub fn new(scenario: &IndoorScenario, first: usize) -> Self {
-        let steps = steps(scenario.path, scenario.imu.interval());
-        let filters = scenario.filters.enabled.iter().map(|_| IndoorTally::new(steps)).collect();
-        Self { first, trials: 0, filters }
+        Self::counted_by(IndoorTally::new, scenario, first)
+    }
+
+    /// The same, but what happens in each step is not kept.
+    pub(super) fn of_whole_trials(scenario: &IndoorScenario, first: usize) -> Self {
+        Self::counted_by(IndoorTally::of_whole_trials, scenario, first)
+    }
+
+    fn counted_by(tally: fn(usize) -> IndoorTally, scenario: &IndoorScenario, first: usize) -> Self {
+        let length = steps(scenario.path, scenario.imu.interval());
+        Self { first, trials: 0, filters: scenario.filters.enabled.iter().map(|_| tally(length)).collect() }
     }
 
     /// Runs every filter over the recording of one trial and counts its errors.
@@ -60,14 +68,24 @@ impl IndoorBlock {
     /// # Errors
     /// [`Error::Size`] where `next` starts with another trial: sums in another order have other bits.
     pub fn merge(&mut self, next: &Self) -> Result<()> {
-        let expected = self.first + self.trials;
+        let expected = self.next();
         if next.first != expected {
             let what = "trials before the block that is appended";
             return Err(Error::Size { what, found: next.first, expected });
         }
+        self.append(next);
+        Ok(())
+    }
+
+    /// Appends other trials, whichever they are.
+    pub(super) fn append(&mut self, next: &Self) {
         self.trials += next.trials;
         self.filters.iter_mut().zip(&next.filters).for_each(|(tally, next)| tally.merge(next));
-        Ok(())
+    }
+
+    /// The number of the trial that comes next.
+    pub(super) fn next(&self) -> usize {
+        self.first + self.trials
     }
 
     /// Trials counted so far.
@@ -82,9 +100,22 @@ impl IndoorBlock {
 
     /// The block as a row of numbers, from which it comes back as the same bits.
     pub fn to_numbers(&self) -> Vec<f64> {
-        let mut numbers = Vec::from([self.first as f64, self.trials as f64]);
-        self.filters.iter().for_each(|tally| tally.write(&mut numbers));
+        let mut numbers = Vec::new();
+        self.write(&mut numbers);
         numbers
+    }
+
+    /// Appends all numbers.
+    pub(super) fn write(&self, to: &mut Vec<f64>) {
+        to.extend([self.first as f64, self.trials as f64]);
+        self.filters.iter().for_each(|tally| tally.write(to));
+    }
+
+    /// Reads back one of the same shape from a row of `most` numbers.
+    pub(super) fn read_alike(&self, from: &mut Numbers<'_>, most: usize) -> Self {
+        let (first, trials) = (from.count(), from.count());
+        let filters = self.filters.iter().map(|tally| tally.read_alike(from, most)).collect();
+        Self { first, trials, filters }
     }
 
     /// The block of [`IndoorBlock::to_numbers`], for the same scenario.
@@ -92,13 +123,8 @@ impl IndoorBlock {
     /// # Errors
     /// [`Error::Size`] where it belongs to another scenario.
     pub fn from_numbers(scenario: &IndoorScenario, numbers: &[f64]) -> Result<Self> {
-        let steps = steps(scenario.path, scenario.imu.interval());
-        let mut from = Numbers::new(numbers);
-        let (first, trials) = (from.count(), from.count());
         let (what, found) = ("numbers in a block", numbers.len());
-        let filters =
-            scenario.filters.enabled.iter().map(|_| IndoorTally::read(&mut from, steps, found)).collect();
-        let block = Self { first, trials, filters };
+        let block = Self::new(scenario, 0).read_alike(&mut Numbers::new(numbers), found);
         let expected = block.to_numbers().len();
         if found == expected { Ok(block) } else { Err(Error::Size { what, found, expected }) }
     }

@@ -4,4 +4,5 @@ pub mod block;
 pub mod monte_carlo;
 pub mod report;
 pub mod run;
+pub mod sweep;
 pub mod tally;

@@ -56,7 +56,7 @@ pub struct IndoorSummary {
     pub position_distribution: Vec<f64>,
     /// The same of the angle, rad.
     pub angle_distribution: Vec<f64>,
-    /// One entry a step.
+    /// One entry a step; none in a sweep.
     pub steps: Vec<IndoorStepSummary>,
 }
 

@@ -87,6 +87,9 @@ impl Flat for StepTally {
 /// Sums over trials for one filter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct IndoorTally {
+    /// Steps of a whole trial.
+    length: usize,
+    /// One for each of them, or none where only whole trials are looked at.
     steps: Vec<StepTally>,
     /// Root mean square errors over the time of each trial.
     position: Vec<f64>,
@@ -97,10 +100,16 @@ pub struct IndoorTally {
 }
 
 impl IndoorTally {
-    /// No trials yet.
-    pub(super) fn new(steps: usize) -> Self {
+    /// No trials yet, of so many steps each.
+    pub(super) fn new(length: usize) -> Self {
+        Self { steps: vec![StepTally::default(); length], ..Self::of_whole_trials(length) }
+    }
+
+    /// The same, but what happens in each step is not kept.
+    pub(super) fn of_whole_trials(length: usize) -> Self {
         Self {
-            steps: vec![StepTally::default(); steps],
+            length,
+            steps: Vec::new(),
             position: Vec::new(),
             angle: Vec::new(),
             nees: Moments::default(),
@@ -111,7 +120,7 @@ impl IndoorTally {
 
     /// Counts a trial by the errors of its steps; one that ended early is counted as failed and nothing else.
     pub(super) fn push(&mut self, errors: &[StepErrors], repairs: usize) {
-        if errors.len() < self.steps.len() {
+        if errors.len() < self.length {
             self.failures += 1;
             return;
         }
@@ -165,16 +174,17 @@ impl IndoorTally {
         self.steps.iter().for_each(|tally| tally.write(to));
     }
 
-    /// Reads them back from a row of `length` numbers, which is also more than it can have trials.
-    pub(super) fn read(from: &mut Numbers<'_>, steps: usize, length: usize) -> Self {
-        let (trials, failures) = (from.count().min(length), from.count());
+    /// Reads back one of the same shape from a row of `most` numbers, which is also more than it can have trials.
+    pub(super) fn read_alike(&self, from: &mut Numbers<'_>, most: usize) -> Self {
+        let (trials, failures) = (from.count().min(most), from.count());
         Self {
+            length: self.length,
             position: (0..trials).map(|_| from.number()).collect(),
             angle: (0..trials).map(|_| from.number()).collect(),
             nees: Moments::read(from),
             repairs: Moments::read(from),
             failures,
-            steps: (0..steps).map(|_| StepTally::read(from)).collect(),
+            steps: self.steps.iter().map(|_| StepTally::read(from)).collect(),
         }
     }
 }
@@ -189,6 +199,6 @@ fn mean(values: &[f64]) -> Estimate {
 
 fn sorted(values: &[f64]) -> Vec<f64> {
     let mut values = values.to_vec();
-    values.sort_by(f64::total_cmp);
+    values.sort_unstable_by(f64::total_cmp);
     values
 }

@@ -7,9 +7,10 @@ use super::report::KinematicsSummary;
 use super::tally::{KinematicsTally, Sizes};
 use crate::anchorless::estimate;
 use crate::error::{Error, Result};
-use crate::model::kinematics::KinematicsScenario;
 use crate::model::kinematics::distance_record::DistanceRecord;
 use crate::model::kinematics::settings::KinematicsSettings;
+use crate::model::kinematics::{KinematicsScenario, KinematicsSetup};
+use crate::simulate::kinematics::draw;
 use crate::study::flat::Numbers;
 
 /// Sums over consecutive trials.
@@ -54,6 +55,24 @@ impl KinematicsBlock {
         Ok(())
     }
 
+    /// Draws the trials up to `last` and counts them.
+    ///
+    /// # Errors
+    /// [`Error::Number`] where a distance overflows.
+    pub fn run(
+        &mut self,
+        scenario: &KinematicsScenario,
+        setup: &KinematicsSetup,
+        yardstick: &Yardstick,
+        last: usize,
+    ) -> Result<()> {
+        for trial in self.first + self.trials..last {
+            let drawn = draw(scenario, setup, trial as u64)?;
+            self.push(&drawn.record, yardstick, &scenario.estimators)?;
+        }
+        Ok(())
+    }
+
     /// Appends the trials that come next.
     ///
     /// # Errors
@@ -64,9 +83,14 @@ impl KinematicsBlock {
             let what = "trials before the block that is appended";
             return Err(Error::Size { what, found: next.first, expected });
         }
+        self.append(next);
+        Ok(())
+    }
+
+    /// Appends other trials, whichever they are.
+    pub(super) fn append(&mut self, next: &Self) {
         self.trials += next.trials;
         self.estimators.iter_mut().zip(&next.estimators).for_each(|(tally, next)| tally.merge(next));
-        Ok(())
     }
 
     /// Trials counted so far.
@@ -81,9 +105,23 @@ impl KinematicsBlock {
 
     /// The block as a row of numbers, from which it comes back as the same bits.
     pub fn to_numbers(&self) -> Vec<f64> {
-        let mut numbers = Vec::from([self.first as f64, self.trials as f64]);
-        self.estimators.iter().for_each(|tally| tally.write(&mut numbers));
+        let mut numbers = Vec::new();
+        self.write(&mut numbers);
         numbers
+    }
+
+    /// Appends all numbers.
+    pub(super) fn write(&self, to: &mut Vec<f64>) {
+        to.extend([self.first as f64, self.trials as f64]);
+        self.estimators.iter().for_each(|tally| tally.write(to));
+    }
+
+    /// Reads one back from a row of `length` numbers.
+    pub(super) fn read(scenario: &KinematicsScenario, from: &mut Numbers<'_>, length: usize) -> Self {
+        let (first, trials) = (from.count(), from.count());
+        let enabled = scenario.estimators.enabled.iter();
+        let estimators = enabled.map(|_| KinematicsTally::read(from, sizes(scenario), length)).collect();
+        Self { first, trials, estimators }
     }
 
     /// The block of [`KinematicsBlock::to_numbers`], for the same scenario.
@@ -91,12 +129,8 @@ impl KinematicsBlock {
     /// # Errors
     /// [`Error::Size`] where it belongs to another scenario.
     pub fn from_numbers(scenario: &KinematicsScenario, numbers: &[f64]) -> Result<Self> {
-        let mut from = Numbers::new(numbers);
-        let (first, trials) = (from.count(), from.count());
         let (what, found) = ("numbers in a block", numbers.len());
-        let enabled = scenario.estimators.enabled.iter();
-        let estimators = enabled.map(|_| KinematicsTally::read(&mut from, sizes(scenario), found)).collect();
-        let block = Self { first, trials, estimators };
+        let block = Self::read(scenario, &mut Numbers::new(numbers), found);
         let expected = block.to_numbers().len();
         if found == expected { Ok(block) } else { Err(Error::Size { what, found, expected }) }
     }

@@ -7,4 +7,5 @@ pub mod monte_carlo;
 pub mod report;
 pub mod run;
 pub mod spectrum;
+pub mod sweep;
 mod tally;

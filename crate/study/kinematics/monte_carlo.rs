@@ -1,16 +1,13 @@
 //! Monte-Carlo of a kinematics scenario, in blocks of trials: any number of workers, one result.
 
-use alloc::string::ToString;
 use alloc::vec::Vec;
 
 use super::block::KinematicsBlock;
 use super::bounds::{KinematicsBoundReport, kinematics_bounds};
 use super::errors::Yardstick;
-use super::report::{KinematicsEstimatorReport, KinematicsReport};
+use super::report::KinematicsReport;
 use crate::error::{Error, Result};
-use crate::model::document::VERSION;
 use crate::model::kinematics::{KinematicsScenario, KinematicsSetup};
-use crate::simulate::kinematics::draw;
 use crate::study::monte_carlo::{MAX_TRIALS, TRIALS_PER_BLOCK};
 
 /// A study of one kinematics scenario: trial `i` is the scenario's seed with random stream `i`.
@@ -64,10 +61,8 @@ impl<'a> KinematicsMonteCarlo<'a> {
     pub fn block(&self, index: usize) -> Result<KinematicsBlock> {
         let first = index * TRIALS_PER_BLOCK;
         let mut block = KinematicsBlock::new(self.scenario, first);
-        for trial in first..self.trials.min(first + TRIALS_PER_BLOCK) {
-            let drawn = draw(self.scenario, &self.setup, trial as u64)?;
-            block.push(&drawn.record, &self.yardstick, &self.scenario.estimators)?;
-        }
+        let last = self.trials.min(first + TRIALS_PER_BLOCK);
+        block.run(self.scenario, &self.setup, &self.yardstick, last)?;
         Ok(block)
     }
 
@@ -94,21 +89,6 @@ impl<'a> KinematicsMonteCarlo<'a> {
         done: &KinematicsBlock,
         bounds: Vec<KinematicsBoundReport>,
     ) -> KinematicsReport {
-        let estimators = self.scenario.estimators.enabled.iter().enumerate();
-        KinematicsReport {
-            version: VERSION,
-            name: self.scenario.name.clone(),
-            trials: done.trials(),
-            stamps: self.setup.stamps.len(),
-            instants: self.yardstick.instants.clone(),
-            estimators: estimators
-                .map(|(index, name)| KinematicsEstimatorReport {
-                    name: *name,
-                    label: name.label().to_string(),
-                    summary: done.estimator(index),
-                })
-                .collect(),
-            bounds,
-        }
+        KinematicsReport::new(self.scenario, (&self.setup, &self.yardstick), done, bounds)
     }
 }

@@ -1,12 +1,16 @@
 //! What a Monte-Carlo study of the Anchorless lab found, as a document.
 
-use alloc::string::String;
+use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
 use serde::{Deserialize, Serialize};
 
+use super::block::KinematicsBlock;
 use super::bounds::KinematicsBoundReport;
+use super::errors::Yardstick;
+use crate::model::document::VERSION;
 use crate::model::kinematics::settings::KinematicsName;
+use crate::model::kinematics::{KinematicsScenario, KinematicsSetup};
 use crate::study::moments::Estimate;
 
 /// The result of a study.
@@ -27,6 +31,32 @@ pub struct KinematicsReport {
     pub estimators: Vec<KinematicsEstimatorReport>,
     /// What no unbiased estimator can beat: from distances alone, and with accelerations.
     pub bounds: Vec<KinematicsBoundReport>,
+}
+
+impl KinematicsReport {
+    /// The figures of the blocks joined so far.
+    pub(super) fn new(
+        scenario: &KinematicsScenario,
+        (setup, yardstick): (&KinematicsSetup, &Yardstick),
+        done: &KinematicsBlock,
+        bounds: Vec<KinematicsBoundReport>,
+    ) -> Self {
+        let estimators = scenario.estimators.enabled.iter().enumerate();
+        let estimators = estimators.map(|(index, name)| KinematicsEstimatorReport {
+            name: *name,
+            label: name.label().to_string(),
+            summary: done.estimator(index),
+        });
+        Self {
+            version: VERSION,
+            name: scenario.name.clone(),
+            trials: done.trials(),
+            stamps: setup.stamps.len(),
+            instants: yardstick.instants.clone(),
+            estimators: estimators.collect(),
+            bounds,
+        }
+    }
 }
 
 /// One estimator over all trials.

@@ -9,7 +9,7 @@ use super::bounds::{SnapshotBound, figures};
 use super::tally::BoundFigures;
 use super::trial::SnapshotError;
 use crate::error::Result;
-use crate::localize::{Estimate, Optimum, Snapshot, localize};
+use crate::localize::{Estimate, Snapshot, localize};
 use crate::math::float::sqrt;
 use crate::math::pose::Pose;
 use crate::model::document::entries::{PoseEntries, coordinates};
@@ -192,20 +192,11 @@ fn record<const D: usize>(
             result.pose = estimate.theta.map(Into::into);
             result.iterations = estimate.iterations;
             result.reflected = estimate.reflected;
-            result.optimum = optimum_name(estimate.optimum).to_string();
+            result.optimum = estimate.optimum.name().to_string();
         }
         Err(error) => result.failure = Some(error.to_string()),
     }
     result
-}
-
-fn optimum_name(optimum: Optimum) -> &'static str {
-    match optimum {
-        Optimum::Formula => "formula",
-        Optimum::Certified => "certified",
-        Optimum::Searched => "searched",
-        Optimum::Local => "local",
-    }
 }
 
 fn bound(kind: SnapshotBound, figures: &BoundFigures) -> SnapshotBoundFigures {

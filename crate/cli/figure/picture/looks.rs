@@ -14,7 +14,7 @@ pub const WARNING: Colour = [0x8a, 0x32, 0x00];
 const BOUND: Colour = [0x4b, 0x53, 0x60];
 
 /// Name, colour and mark of an estimator.
-const ESTIMATORS: [(&str, Colour, Mark); 16] = [
+const ESTIMATORS: [(&str, Colour, Mark); 34] = [
     ("kf", [0xaa, 0x40, 0x00], Mark::Ring),
     ("ortho", [0xbd, 0x86, 0x00], Mark::Square),
     ("uc-kf", [0x02, 0x51, 0x92], Mark::Triangle),
@@ -31,18 +31,47 @@ const ESTIMATORS: [(&str, Colour, Mark); 16] = [
     ("ouc-tls", [0x44, 0x8d, 0x65], Mark::Disc),
     ("gauss-newton", [0x57, 0x57, 0x57], Mark::Square),
     ("maximum-likelihood", [0x57, 0x57, 0x57], Mark::Disc),
+    ("ekf", [0xaa, 0x40, 0x00], Mark::Ring),
+    ("ekf-rie", [0x02, 0x51, 0x92], Mark::Triangle),
+    ("ukf", [0xb4, 0x67, 0xa4], Mark::Diamond),
+    ("ukf-rie", [0xb4, 0x67, 0xa4], Mark::Triangle),
+    ("mekf", [0x44, 0x8d, 0x65], Mark::Disc),
+    ("algorithm-1-rank1", [0xaa, 0x40, 0x00], Mark::Square),
+    ("algorithm-1-literal", [0xaa, 0x40, 0x00], Mark::Cross),
+    ("algorithm-2-rank1", [0xbd, 0x86, 0x00], Mark::Triangle),
+    ("algorithm-2-so", [0xbd, 0x86, 0x00], Mark::Square),
+    ("algorithm-2-literal", [0xbd, 0x86, 0x00], Mark::Cross),
+    ("snapshot-sync", [0xb4, 0x67, 0xa4], Mark::Diamond),
+    ("maximum-likelihood-distances", [0x44, 0x8d, 0x65], Mark::Disc),
+    ("maximum-likelihood-accelerometers", [0x02, 0x51, 0x92], Mark::Ring),
+    ("multidimensional-scaling", [0x57, 0x57, 0x57], Mark::Triangle),
+    ("range-polynomial-2", [0x57, 0x57, 0x57], Mark::Cross),
+    ("range-polynomial-3", [0x44, 0x8d, 0x65], Mark::Disc),
+    ("range-polynomial-4", [0xb4, 0x67, 0xa4], Mark::Diamond),
+    ("range-polynomial-6", [0x02, 0x51, 0x92], Mark::Ring),
+];
+/// Estimators that are drawn over others whose numbers they often have, or whose colour.
+const DASHED: [&str; 6] = [
+    "ekf-rie",
+    "ukf-rie",
+    "algorithm-1-literal",
+    "algorithm-2-literal",
+    "algorithm-2-so",
+    "range-polynomial-4",
 ];
 /// What else is dashed, and bounds without a dash of their own.
 const DASH: &[f32] = &[7.0, 4.0];
 const DOTS: &[f32] = &[2.0, 4.0];
 const DASH_DOT: &[f32] = &[10.0, 3.0, 2.0, 3.0];
-const DASHES: [(&str, &[f32]); 6] = [
+const DASHES: [(&str, &[f32]); 8] = [
     ("posterior_crb", DASH),
     ("posterior_crb_raw", DASH_DOT),
     ("linear_posterior_crb", DOTS),
     ("uc_crb", DASH),
     ("classical_crb", DASH_DOT),
     ("crb", DOTS),
+    ("crb-distances", DASH),
+    ("crb-accelerometers", DOTS),
 ];
 
 /// Half of the height of a mark.
@@ -70,7 +99,10 @@ impl Look {
         let estimator = ESTIMATORS.iter().find(|(name, ..)| *name == curve.name);
         let colour = estimator.map_or(BOUND, |(_, colour, _)| *colour);
         match curve.kind {
-            CurveKind::Estimator => Self { colour, mark: estimator.map(|(.., mark)| *mark), dash: &[] },
+            CurveKind::Estimator => {
+                let dash: &[f32] = if DASHED.contains(&curve.name.as_str()) { DASH } else { &[] };
+                Self { colour, mark: estimator.map(|(.., mark)| *mark), dash }
+            }
             CurveKind::Covariance => Self { colour, mark: None, dash: DOTS },
             CurveKind::Bound => {
                 let dash =

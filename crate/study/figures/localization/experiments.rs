@@ -10,6 +10,7 @@ use crate::model::localize_settings::LocalizerName::{
 use crate::model::presets::preset;
 use crate::model::scenario::Scenario;
 use crate::study::figures::experiment::Experiment;
+use crate::study::figures::kinds::NoiseSweep;
 
 type Experiments = Vec<(&'static str, Experiment)>;
 
@@ -31,27 +32,31 @@ pub(super) fn orientation() -> Experiments {
     let fixed = || scenario("localization-paper", &PAPER);
     let redrawn = || scenario("localization-paper-redrawn", &PAPER);
     vec![
-        ("fixed", Experiment::Sweep(fixed())),
-        ("redrawn", Experiment::Sweep(redrawn())),
-        ("fixed over O(3)", Experiment::Sweep(over_o(fixed()))),
-        ("redrawn over O(3)", Experiment::Sweep(over_o(redrawn()))),
+        ("fixed", sweep(fixed())),
+        ("redrawn", sweep(redrawn())),
+        ("fixed over O(3)", sweep(over_o(fixed()))),
+        ("redrawn over O(3)", sweep(over_o(redrawn()))),
     ]
 }
 
 pub(super) fn fixed() -> Experiments {
-    vec![("fixed", Experiment::Sweep(scenario("localization-paper", &PAPER)))]
+    vec![("fixed", sweep(scenario("localization-paper", &PAPER)))]
 }
 
 /// With the sensors each by themselves.
 pub(super) fn sensors() -> Experiments {
     let enabled = [&[ClassicalLs], &PAPER[..]].concat();
-    vec![("fixed", Experiment::Sweep(scenario("localization-paper", &enabled)))]
+    vec![("fixed", sweep(scenario("localization-paper", &enabled)))]
 }
 
 /// Sensors away from where they should be.
 pub(super) fn perturbed() -> Experiments {
     let scenario = Scenario { mounting_sigma: MOUNTING_SIGMA, ..scenario("localization-paper", &TOTAL) };
-    vec![("fixed, sensors misplaced", Experiment::Sweep(scenario))]
+    vec![("fixed, sensors misplaced", sweep(scenario))]
+}
+
+fn sweep(scenario: Scenario) -> Experiment {
+    Experiment::Sweep(NoiseSweep(scenario))
 }
 
 fn scenario(name: &str, enabled: &[LocalizerName]) -> Scenario {

@@ -13,7 +13,7 @@ const TRIALS: usize = 2000;
 pub(super) const FIGURE_2: Figure = Figure {
     name: "localization-2",
     paper: Paper::Localization,
-    number: 2,
+    number: "2",
     title: "RMSE of the orientation",
     statement: "LS is efficient and meets the CRB; SUC-LS is similar to OUC-LS, slightly worse; OUC-LS meets the UC-CRB at \
                 reasonable noise, in fewer than 5 Newton iterations; below 30 dB the RMSE saturates.",
@@ -26,7 +26,7 @@ pub(super) const FIGURE_2: Figure = Figure {
 pub(super) const FIGURE_3: Figure = Figure {
     name: "localization-3",
     paper: Paper::Localization,
-    number: 3,
+    number: "3",
     title: "Bias of the orientation",
     statement: "the bias of SUC-LS and OUC-LS tends to zero above 50 dB, and LS has none.",
     trials: TRIALS,
@@ -38,7 +38,7 @@ pub(super) const FIGURE_3: Figure = Figure {
 pub(super) const FIGURE_4: Figure = Figure {
     name: "localization-4",
     paper: Paper::Localization,
-    number: 4,
+    number: "4",
     title: "Mean angular error of the orientation",
     statement: "the mean angular error (MAE) shows how range errors become errors of the rotation; the columns of LS are \
                 normalized for it.",
@@ -51,7 +51,7 @@ pub(super) const FIGURE_4: Figure = Figure {
 pub(super) const FIGURE_5: Figure = Figure {
     name: "localization-5",
     paper: Paper::Localization,
-    number: 5,
+    number: "5",
     title: "RMSE of the position, beside classical LS",
     statement: "the position of the body is close to an order of magnitude better than by classical LS of its sensors.",
     trials: TRIALS,
@@ -63,7 +63,7 @@ pub(super) const FIGURE_5: Figure = Figure {
 pub(super) const FIGURE_6: Figure = Figure {
     name: "localization-6",
     paper: Paper::Localization,
-    number: 6,
+    number: "6",
     title: "RMSE of the sensors by topology-aware localization",
     statement: "sensors are found better by topology-aware localization, which knows the body, than by classical LS.",
     trials: TRIALS,
@@ -75,7 +75,7 @@ pub(super) const FIGURE_6: Figure = Figure {
 pub(super) const FIGURE_7: Figure = Figure {
     name: "localization-7",
     paper: Paper::Localization,
-    number: 7,
+    number: "7",
     title: "RMSE of the orientation, sensors misplaced by 10 cm",
     statement: "with perturbed sensors all estimators have an error floor, and total least squares takes the perturbation \
                 into account.",
@@ -88,7 +88,7 @@ pub(super) const FIGURE_7: Figure = Figure {
 pub(super) const FIGURE_8: Figure = Figure {
     name: "localization-8",
     paper: Paper::Localization,
-    number: 8,
+    number: "8",
     title: "Mean angular error of the orientation, sensors misplaced by 10 cm",
     statement: "the mean angular error (MAE) of SUC-TLS and OUC-TLS has a floor too.",
     trials: TRIALS,
@@ -100,7 +100,7 @@ pub(super) const FIGURE_8: Figure = Figure {
 pub(super) const FIGURE_9: Figure = Figure {
     name: "localization-9",
     paper: Paper::Localization,
-    number: 9,
+    number: "9",
     title: "RMSE of the position, sensors misplaced by 10 cm",
     statement: "the RMSE of the position is that without perturbation, except for an error floor.",
     trials: TRIALS,

@@ -9,10 +9,10 @@ use alloc::vec::Vec;
 use super::reading::Reading;
 use super::scenarios::{FIXED, INFORMATION_METRIC, OFF_CENTRE, OVER_O, PAPER, REDRAWN};
 use crate::model::estimator_settings::EstimatorName::{self, Eskf, EskfRaw, EtKf, Kf, Ortho, UcKf};
-use crate::study::figures::claim::Source::{self, Beyond};
 use crate::study::figures::claim::{Claim, Interval};
 use crate::study::figures::experiment::Study;
 use crate::study::figures::extreme::{least, most};
+use crate::study::figures::wording::{beyond, paper};
 use crate::study::moments::Estimate;
 use crate::study::report::StudyReport;
 use crate::study::tally::Summary;
@@ -185,12 +185,4 @@ fn about_the_trigger(fixed: Reading<'_>, studies: &[&StudyReport]) -> Vec<Claim>
 
 fn at_worst(what: &str, step: usize) -> String {
     format!("{what}, worst step ({step})")
-}
-
-fn paper(what: impl Into<String>, found: Option<Estimate>, target: Interval) -> Claim {
-    Claim::new(Source::Paper, what, found, target)
-}
-
-fn beyond(what: impl Into<String>, found: Option<Estimate>, target: Interval) -> Claim {
-    Claim::new(Beyond, what, found, target)
 }

@@ -12,7 +12,7 @@ const TRIALS: usize = 1000;
 pub(super) const FIGURE_2: Figure = Figure {
     name: "tracking-2",
     paper: Paper::Tracking,
-    number: 2,
+    number: "2",
     title: "RMSE of orientation and position",
     statement: "the RMSE of the unconstrained KF follows its estimated covariance; the constrained estimators have a lower \
                 RMSE of Q; the RMSE of t is similar for all; ET-KF is worse than projecting at each step (KF-ortho); and the \
@@ -26,7 +26,7 @@ pub(super) const FIGURE_2: Figure = Figure {
 pub(super) const FIGURE_3: Figure = Figure {
     name: "tracking-3",
     paper: Paper::Tracking,
-    number: 3,
+    number: "3",
     title: "Mean angular error of the orientation",
     statement: "the constrained estimators have a lower mean angular error (MAE) than the unconstrained KF.",
     trials: TRIALS,

@@ -9,6 +9,7 @@ use crate::model::estimator_settings::Metric;
 use crate::model::presets;
 use crate::model::scenario::Scenario;
 use crate::study::figures::experiment::Experiment;
+use crate::study::figures::kinds::Tracking;
 
 /// Where the drawn scenarios are in the list.
 pub(super) const FIXED: usize = 0;
@@ -45,7 +46,7 @@ pub(super) fn figure_3() -> Vec<(&'static str, Experiment)> {
 }
 
 fn tracked(scenarios: Vec<(&'static str, Scenario)>) -> Vec<(&'static str, Experiment)> {
-    scenarios.into_iter().map(|(name, scenario)| (name, Experiment::Track(scenario))).collect()
+    scenarios.into_iter().map(|(name, scenario)| (name, Experiment::Track(Tracking(scenario)))).collect()
 }
 
 fn drawn() -> Vec<(&'static str, Scenario)> {

@@ -1,6 +1,9 @@
 //! The papers' figures: every claim with its standard error and the verdict that the numbers give, reports
 //! that are spoiled and must lose claims, and the laws of the jobs. `cargo run --release --example figures` prints them.
 
+mod indoor;
+mod kinematics;
+
 use rangelab::study::figures::claim::{Claim, Interval, Source, Verdict};
 use rangelab::study::figures::experiment::Study;
 use rangelab::study::figures::plan::{FigurePlan, FigureSum};
@@ -48,16 +51,18 @@ fn computed(plan: &FigurePlan) -> FigureSum {
     sum
 }
 
-fn begins(claim: &Claim, with: &[&str]) -> bool {
-    with.iter().any(|start| claim.what.starts_with(start))
+fn begins(claim: &Claim, with: [&[&str]; 3]) -> bool {
+    with.concat().iter().any(|start| claim.what.starts_with(start))
 }
 
 /// Claims whose verdict is not the expected one.
 fn surprises(claims: &[Claim]) -> Vec<String> {
+    let fail = [&FAIL[..], &indoor::FAIL, &kinematics::FAIL];
+    let open = [&OPEN[..], &indoor::OPEN, &kinematics::OPEN];
     let surprising = |claim: &&Claim| match claim.verdict {
-        Verdict::Holds => begins(claim, &FAIL),
-        Verdict::DoesNotHold => !begins(claim, &FAIL),
-        Verdict::NotDecided => !begins(claim, &OPEN),
+        Verdict::Holds => begins(claim, fail),
+        Verdict::DoesNotHold => !begins(claim, fail),
+        Verdict::NotDecided => !begins(claim, open),
     };
     claims.iter().filter(surprising).map(Claim::to_string).collect()
 }
@@ -84,6 +89,16 @@ fn exchanged(studies: &[Study], a: &str, b: &str) -> Vec<Study> {
                     .iter_mut()
                     .for_each(|each| each.name = other(each.name.name()).parse().unwrap());
             }
+            Study::Indoor(report) => {
+                report
+                    .filters
+                    .iter_mut()
+                    .for_each(|each| each.name = other(each.name.name()).parse().unwrap());
+            }
+            Study::Kinematics(report) => {
+                let each = report.points.iter_mut().flat_map(|point| &mut point.estimators);
+                each.for_each(|each| each.name = other(each.name.name()).parse().unwrap());
+            }
         }
     }
     studies
@@ -95,13 +110,19 @@ type Spoil = (&'static str, &'static str, usize);
 /// Computes the first of some figures of the same experiments, and holds the claims of all of them.
 #[track_caller]
 fn claims_come_out(figures: &[(&str, usize, &[Spoil])]) {
-    let sum = computed(&plan(figures[0].0, TRIALS, SEED));
+    claims_come_out_over(TRIALS, figures);
+}
+
+/// The same over so many trials.
+#[track_caller]
+fn claims_come_out_over(trials: usize, figures: &[(&str, usize, &[Spoil])]) {
+    let sum = computed(&plan(figures[0].0, trials, SEED));
     for (name, claims, spoils) in figures {
-        let plan = plan(name, TRIALS, SEED);
+        let plan = plan(name, trials, SEED);
         let report = plan.report(&sum).unwrap();
         println!("{}\n{}", report.heading(), report.caption);
         report.claims.iter().for_each(|claim| println!("  {claim}"));
-        assert_eq!((report.trials, report.claims.len()), (TRIALS, *claims), "{name}");
+        assert_eq!((report.trials, report.claims.len()), (trials, *claims), "{name}");
         assert_eq!(surprises(&report.claims), [""; 0], "{name}");
         let certain = report.claims.iter().filter_map(|claim| claim.found);
         let certain = certain.filter(|found| found.standard_error == 0.0).count();
@@ -183,6 +204,11 @@ fn without_numbers_nothing_is_decided() {
                     report.estimators.clear();
                     report.bounds.clear();
                 }
+                Study::Indoor(report) => report.filters.clear(),
+                Study::Kinematics(report) => report.points.iter_mut().for_each(|point| {
+                    point.estimators.clear();
+                    point.bounds.clear();
+                }),
             }
         }
         let report = plan.report_of(&studies);
@@ -194,7 +220,9 @@ fn without_numbers_nothing_is_decided() {
 
 #[test]
 fn any_split_of_the_jobs_gives_the_same_bits() {
-    for (name, trials) in [("tracking-3", 230), ("localization-7", 570)] {
+    for (name, trials) in
+        [("tracking-3", 230), ("localization-7", 570), ("indoor-9", 45), ("kinematics-2b", 105)]
+    {
         let plan = plan(name, trials, 5);
         let straight = plan.report(&computed(&plan)).unwrap();
         let backwards = (0..plan.jobs()).rev().map(|job| plan.to_numbers(&plan.job(job).unwrap()));

@@ -1,0 +1,118 @@
+//! The Indoor lab: an IMU and three transmitters on a body, beacons in a room.
+
+use pyo3::prelude::*;
+use rangelab::model::indoor;
+use rangelab::model::indoor::presets::{INDOOR_PRESETS, indoor_preset};
+use rangelab::study::indoor::run::run_indoor;
+
+use crate::array::{array, flags};
+use crate::compute::compute;
+use crate::documents::json;
+use crate::run::{Part, padded};
+
+/// The presets: JSON `[{name, title, summary}]`.
+#[pyfunction]
+pub fn indoor_presets() -> String {
+    json(&INDOOR_PRESETS)
+}
+
+/// A valid indoor scenario.
+#[pyclass(frozen, module = "rangelab._core")]
+pub struct IndoorScenario(pub indoor::IndoorScenario);
+
+#[pymethods]
+impl IndoorScenario {
+    #[new]
+    fn new(py: Python<'_>, text: &str) -> PyResult<Self> {
+        compute(py, || indoor::IndoorScenario::from_json(text).map(Self))
+    }
+
+    #[staticmethod]
+    fn preset(py: Python<'_>, name: &str) -> PyResult<Self> {
+        compute(py, || indoor_preset(name).map(Self))
+    }
+
+    fn to_json(&self) -> String {
+        self.0.to_json()
+    }
+
+    fn run(&self, py: Python<'_>, trial: u64) -> PyResult<IndoorRun> {
+        compute(py, || run_indoor(&self.0, trial).map(IndoorRun))
+    }
+}
+
+/// A run of the filters; they are numbered as in its document.
+#[pyclass(frozen, module = "rangelab._core")]
+pub struct IndoorRun(indoor::run::IndoorRun);
+
+/// A number of a step, by name; NaN where there is none.
+fn number_of(step: &indoor::run::IndoorStepRecord, name: &str) -> f64 {
+    match name {
+        "orientation_error" => step.angle_error,
+        "position_error" => step.position_error,
+        "nees" => step.nees,
+        "nis" => step.nis.unwrap_or(f64::NAN),
+        _ => f64::NAN,
+    }
+}
+
+#[pymethods]
+impl IndoorRun {
+    fn to_json(&self) -> String {
+        self.0.to_json()
+    }
+
+    #[getter]
+    fn name(&self) -> &str {
+        &self.0.name
+    }
+
+    /// The filters.
+    fn filters(&self) -> Vec<Part<'_>> {
+        let filters = self.0.filters.iter();
+        filters
+            .map(|run| {
+                let (step, message) = run.failure.as_ref().map(|f| (f.step, f.message.as_str())).unzip();
+                (run.name.name(), run.label.as_str(), step, message)
+            })
+            .collect()
+    }
+
+    fn times<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        array(py, &[self.0.times.len()], self.0.times.iter().copied())
+    }
+
+    fn fixes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        flags(py, &[self.0.times.len()], self.0.fixes.iter().copied())
+    }
+
+    fn truth_positions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let rows = self.0.truth.iter().map(|pose| Some(pose.position.clone()));
+        padded(py, &[self.0.times.len(), 3], rows)
+    }
+
+    fn truth_orientations<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let rows = self.0.truth.iter().map(|pose| Some(pose.orientation.concat()));
+        padded(py, &[self.0.times.len(), 3, 3], rows)
+    }
+
+    fn positions<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Bound<'py, PyAny>> {
+        let rows = self.steps(index).map(|step| Some(step.pose.position.clone()));
+        padded(py, &[self.0.times.len(), 3], rows)
+    }
+
+    fn orientations<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Bound<'py, PyAny>> {
+        let rows = self.steps(index).map(|step| Some(step.pose.orientation.concat()));
+        padded(py, &[self.0.times.len(), 3, 3], rows)
+    }
+
+    fn numbers<'py>(&self, py: Python<'py>, index: usize, name: &str) -> PyResult<Bound<'py, PyAny>> {
+        array(py, &[self.0.times.len()], self.steps(index).map(|step| number_of(step, name)))
+    }
+}
+
+impl IndoorRun {
+    fn steps(&self, index: usize) -> impl Iterator<Item = &indoor::run::IndoorStepRecord> {
+        self.0.filters.get(index).into_iter().flat_map(|run| &run.steps)
+    }
+}

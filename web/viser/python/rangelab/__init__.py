@@ -1,0 +1,64 @@
+"""Position and orientation of a rigid body from ranges: estimators, their bounds, studies and figures.
+
+Metres, seconds and radians unless a name says otherwise. Orientations `Q` and positions `t` take the body frame to the
+world frame, `s = Q c + t`. In shapes K counts epochs, M anchors, N sensors, D dimensions (2 or 3), A angles (1 or 3).
+The same scenario and trial give the same bits here, on the command line and on the page.
+
+>>> import rangelab
+>>> run = rangelab.Scenario.preset("room").run(trial=0)
+>>> run["uc-kf"].position_errors.shape
+(20,)
+"""
+
+from importlib.metadata import version as _version
+
+from ._core import (
+    Cancelled,
+    Error,
+    InternalError,
+    InvalidDocument,
+    NoConvergence,
+    UnknownName,
+    Unobservable,
+)
+from .figures import Figure, figure, figures
+from .indoor import IndoorRun, IndoorScenario, indoor_presets
+from .link import from_link, to_link
+from .recording import Recording
+from .run import BoundRun, EstimatorRun, Run
+from .scenario import Scenario, presets, topologies
+from .snapshot import Snapshot
+from .studies import Curve, Study
+from .tracker import Track, Tracker
+
+__version__ = _version("rangelab")
+
+__all__ = [
+    "BoundRun",
+    "Cancelled",
+    "Curve",
+    "Error",
+    "EstimatorRun",
+    "Figure",
+    "IndoorRun",
+    "IndoorScenario",
+    "InternalError",
+    "InvalidDocument",
+    "NoConvergence",
+    "Recording",
+    "Run",
+    "Scenario",
+    "Snapshot",
+    "Study",
+    "Track",
+    "Tracker",
+    "UnknownName",
+    "Unobservable",
+    "figure",
+    "figures",
+    "from_link",
+    "indoor_presets",
+    "presets",
+    "to_link",
+    "topologies",
+]

@@ -1,0 +1,113 @@
+"""Points, lines and meshes of what is shown: plain arrays, in space; scenes in the plane lie at height 0."""
+
+import numpy as np
+
+from ..arrays import Floats
+from ..field import Field
+
+Mesh = tuple[Floats, np.ndarray]
+"""Vertices (V x 3) and faces (F x 3, whole numbers)."""
+
+
+def lifted(points: Floats) -> Floats:
+    """Points of the plane or of space as points of space."""
+    flat = np.zeros((*points.shape[:-1], 3))
+    flat[..., : points.shape[-1]] = points
+    return flat
+
+
+def magnified(positions: Floats, truth: Floats, times: float) -> Floats:
+    """Estimates with their errors so many times as large; as they are where the truth is not known."""
+    return np.where(np.isfinite(truth), truth + times * (positions - truth), positions)
+
+
+def path(points: Floats) -> Floats:
+    """The segments of a path (S x 2 x 3), without those that a missing point would have."""
+    points = lifted(points)
+    segments = np.stack([points[:-1], points[1:]], axis=1)
+    return segments[np.isfinite(segments).all(axis=(1, 2))]
+
+
+def pairs(points: Floats) -> Floats:
+    """The segments between all pairs of points."""
+    i, j = np.triu_indices(len(points), 1)
+    return np.stack([points[i], points[j]], axis=1)
+
+
+def between(origins: Floats, ends: Floats, present: np.ndarray) -> Floats:
+    """The segments from each of the first to each of the second points (M x N) that are present."""
+    m, n = np.nonzero(present)
+    return np.stack([lifted(origins)[m], lifted(ends)[n]], axis=1)
+
+
+def body(orientation: Floats, position: Floats, sensors: Floats) -> Floats:
+    """The sensors in the world frame: N x D."""
+    return np.asarray(sensors @ orientation.T + position)
+
+
+def sphere(rings: int = 10, sectors: int = 18) -> Mesh:
+    """A unit sphere."""
+    polar = np.linspace(0, np.pi, rings + 1)
+    around = np.linspace(0, 2 * np.pi, sectors, endpoint=False)
+    a, b = np.meshgrid(polar, around, indexing="ij")
+    vertices = np.stack([np.sin(a) * np.cos(b), np.sin(a) * np.sin(b), np.cos(a)], axis=-1).reshape(-1, 3)
+    i, j = np.meshgrid(np.arange(rings), np.arange(sectors), indexing="ij")
+    here, right = i * sectors + j, i * sectors + (j + 1) % sectors
+    faces = np.stack([here, here + sectors, right, right, here + sectors, right + sectors], axis=-1)
+    return vertices, faces.reshape(-1, 3)
+
+
+def ellipsoid(covariance: Floats, centre: Floats, scale: float) -> Mesh:
+    """The surface at `scale` standard deviations about a centre; flat in the plane."""
+    d = covariance.shape[0]
+    values, vectors = np.linalg.eigh(covariance)
+    root = np.zeros((3, 3))
+    root[:d, :d] = vectors * np.sqrt(np.maximum(values, 0.0))
+    vertices, faces = sphere()
+    return scale * vertices @ root.T + lifted(centre), faces
+
+
+def field_mesh(field: Field) -> tuple[Floats, np.ndarray, Floats]:
+    """The rectangle of a field: vertices, faces, and for each vertex the place on the picture (0 to 1, from below).
+
+    The picture ends at the centres of the outer cells: beyond its edge it would begin anew.
+    """
+    corner, along, across = field.edges
+    places = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
+    vertices = corner + places[:, :1] * along + places[:, 1:] * across
+    cells = np.array(field.values.shape[::-1], dtype=np.float64)
+    return vertices, np.array([[0, 1, 2], [0, 2, 3]]), (places * (cells - 1) + 0.5) / cells
+
+
+def quaternion(rotation: Floats) -> Floats:
+    """(w, x, y, z) of a rotation; one in the plane turns about the vertical."""
+    full = np.eye(3)
+    full[: rotation.shape[0], : rotation.shape[1]] = rotation
+    # The column of largest length of q q^T (Shepperd's method): no difference of nearly equal numbers.
+    m, t = full, np.trace(full)
+    square = 0.25 * np.array(
+        [
+            [1 + t, m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1]],
+            [m[2, 1] - m[1, 2], 1 + 2 * m[0, 0] - t, m[0, 1] + m[1, 0], m[0, 2] + m[2, 0]],
+            [m[0, 2] - m[2, 0], m[0, 1] + m[1, 0], 1 + 2 * m[1, 1] - t, m[1, 2] + m[2, 1]],
+            [m[1, 0] - m[0, 1], m[0, 2] + m[2, 0], m[1, 2] + m[2, 1], 1 + 2 * m[2, 2] - t],
+        ]
+    )
+    column = square[:, int(np.argmax(np.diag(square)))]
+    return np.asarray(column / np.linalg.norm(column))
+
+
+def rotation(wxyz: Floats, dimension: int) -> Floats:
+    """The rotation of a quaternion; in the plane its part about the vertical."""
+    w, x, y, z = np.asarray(wxyz, dtype=np.float64) / np.linalg.norm(wxyz)
+    if dimension == 2:
+        length = np.hypot(w, z) or 1.0
+        c, s = (w * w - z * z) / length**2, 2 * w * z / length**2
+        return np.array([[c, -s], [s, c]])
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]
+    )
