@@ -17,7 +17,7 @@ const HEAVIEST_MODULE_KB = {
   explore: 290,
   localize: 276,
   indoor: 202,
-  anchorless: 330,
+  anchorless: 258,
   figures: 290,
 };
 

@@ -80,9 +80,10 @@ pub fn node_covariances(
 ) -> Result<Vec<DMatrix<f64>>> {
     let setup = scenario.setup()?;
     let motion = Yardstick::new(scenario, &setup).motion().clone();
-    let design = match accelerations {
-        true => KinematicsDesign::with_accelerometers(&setup.stamps, &scenario.noise),
-        false => KinematicsDesign::distances(&setup.stamps, &scenario.noise),
+    let design = if accelerations {
+        KinematicsDesign::with_accelerometers(&setup.stamps, &scenario.noise)
+    } else {
+        KinematicsDesign::distances(&setup.stamps, &scenario.noise)
     };
     let covariance = KinematicsBound::new(&motion, &design)?.position_covariance(time, Alignment::AtZero)?;
     let dimension = motion.dimension();

@@ -40,7 +40,7 @@ const KINEMATICS_BOUNDS: Record<string, { dash: number[] }> = {
 
 type Look = Pick<PlotLine, "token" | "mark" | "dash">;
 
-const BOUNDS: Record<string, { readonly dash: number[] } | undefined> = {
+const BOUNDS: Record<string, { readonly dash: readonly number[] } | undefined> = {
   ...TRACK_BOUNDS,
   ...SNAPSHOT_BOUNDS,
   ...KINEMATICS_BOUNDS,

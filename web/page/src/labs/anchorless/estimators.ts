@@ -92,8 +92,8 @@ export const GROUPS: readonly EstimatorGroup[] = [
       },
       {
         name: "maximum-likelihood-accelerometers",
-        label: "ML, with acc.",
-        meaning: "compressed",
+        label: "ML, all readings",
+        meaning: "accelerometers too",
         senses: true,
         token: "uc-kf",
         mark: "ring",
@@ -101,7 +101,7 @@ export const GROUPS: readonly EstimatorGroup[] = [
       },
       {
         name: "maximum-likelihood-accelerometers-full",
-        label: "ML, acc., every distance",
+        label: "ML, every reading",
         meaning: "the same, slower",
         senses: true,
         token: "uc-kf",
@@ -159,7 +159,7 @@ export function lineLook(name: KinematicsName): Omit<PlotLine, "values" | "stand
 /** The bounds by what they know. */
 export const BOUNDS = [
   { kind: "distances", label: "CRB, distances", dash: [8, 4] },
-  { kind: "accelerometers", label: "CRB, with acc.", dash: [3, 3] },
+  { kind: "accelerometers", label: "CRB, all readings", dash: [3, 3] },
 ] as const;
 
 export type BoundKind = (typeof BOUNDS)[number]["kind"];
