@@ -21,9 +21,14 @@ from ._core import (
     UnknownName,
     Unobservable,
 )
+from .distances import DistanceRecord, KinematicsEstimate, kinematics_estimators
+from .draws import AnchorDraws
 from .figures import Figure, figure, figures
 from .indoor import IndoorRun, IndoorScenario, indoor_presets
+from .kinematics import KinematicsBound, KinematicsScenario, SimulatedKinematics, kinematics_presets
+from .kinematics_run import KinematicsEstimatorRun, KinematicsRun
 from .link import from_link, to_link
+from .motion import RelativeKinematics
 from .recording import Recording
 from .run import BoundRun, EstimatorRun, Run
 from .scenario import Scenario, presets, topologies
@@ -34,9 +39,11 @@ from .tracker import Track, Tracker
 __version__ = _version("rangelab")
 
 __all__ = [
+    "AnchorDraws",
     "BoundRun",
     "Cancelled",
     "Curve",
+    "DistanceRecord",
     "Error",
     "EstimatorRun",
     "Figure",
@@ -44,10 +51,17 @@ __all__ = [
     "IndoorScenario",
     "InternalError",
     "InvalidDocument",
+    "KinematicsBound",
+    "KinematicsEstimate",
+    "KinematicsEstimatorRun",
+    "KinematicsRun",
+    "KinematicsScenario",
     "NoConvergence",
     "Recording",
+    "RelativeKinematics",
     "Run",
     "Scenario",
+    "SimulatedKinematics",
     "Snapshot",
     "Study",
     "Track",
@@ -58,6 +72,8 @@ __all__ = [
     "figures",
     "from_link",
     "indoor_presets",
+    "kinematics_estimators",
+    "kinematics_presets",
     "presets",
     "to_link",
     "topologies",
