@@ -1,7 +1,10 @@
-"""Position and orientation of a rigid body from ranges: estimators, their bounds, studies and figures.
+"""Position and orientation of a rigid body, and motions of nodes without anchors, from ranges.
+
+Estimators, their bounds, studies and figures.
 
 Metres, seconds and radians unless a name says otherwise. Orientations `Q` and positions `t` take the body frame to the
-world frame, `s = Q c + t`. In shapes K counts epochs, M anchors, N sensors, D dimensions (2 or 3), A angles (1 or 3).
+world frame, `s = Q c + t`. In shapes K counts epochs, M anchors, N sensors, D dimensions (2 or 3), A angles (1 or 3);
+in networks without anchors K counts stamps and N nodes, whose vectors are rows.
 The same scenario and trial give the same bits here, on the command line and on the page.
 
 >>> import rangelab

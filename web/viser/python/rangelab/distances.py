@@ -70,8 +70,8 @@ class DistanceRecord:
     """Distances between N nodes at K stamps, and accelerations where there are any; immutable.
 
     `distances` are K x N x N, m, of which the entries above the diagonal are read, NaN where missing; `sigma` is the
-    standard deviation of each, m, 0 where they are exact. `accelerations` are K x N x D, m/s^2, in one proper frame that
-    all nodes share, with `sigma_acceleration` the standard deviation of a coordinate.
+    standard deviation of each, m, 0 where they are exact. `accelerations` are K x N x D, m/s^2, in one proper frame
+    that all nodes share, with `sigma_acceleration` the standard deviation of a coordinate.
 
     Raises:
         Error: where shapes do not agree or numbers are not finite.
@@ -169,7 +169,9 @@ class DistanceRecord:
 
     def __repr__(self) -> str:
         missing = int(np.isnan(self._core.distances()).sum())
-        return f"<rangelab.DistanceRecord: {self.nodes} nodes at {len(self.stamps)} stamps, {missing} distances missing>"
+        return (
+            f"<rangelab.DistanceRecord: {self.nodes} nodes at {len(self.stamps)} stamps, {missing} distances missing>"
+        )
 
 
 def _restored(

@@ -17,7 +17,7 @@ class AnchorDraws:
     """Trials with the scenario's own anchors, and the same trials with anchors drawn anew; n counts draws."""
 
     numbers: Floats
-    """Fixed and redrawn anchors; the condition, then angle (rad) and position (m) of the bound, KF and UC-KF: n x 2 x 7."""
+    """Fixed, redrawn; the condition, then angle (rad) and position (m) of the bound, KF and UC-KF: n x 2 x 7."""
     half_width: float
     """Half the width of the cube around the origin in which anchors are drawn, m."""
 
@@ -27,7 +27,7 @@ class AnchorDraws:
         return self.numbers[:, :, 0]
 
     def angles(self, of: str) -> Floats:
-        """Root mean square rotation angle of `"posterior_crb"`, `"kf"` or `"uc-kf"`, rad: n x 2, NaN where there is none."""
+        """Root mean square angle of `"posterior_crb"`, `"kf"` or `"uc-kf"`, rad: n x 2, NaN where there is none."""
         return self.numbers[:, :, _place(of)]
 
     def positions(self, of: str) -> Floats:
@@ -41,9 +41,7 @@ def _place(of: str) -> int:
     return OF[of]
 
 
-def anchor_draws(
-    scenario: _core.Scenario, draws: int, threads: int | None, progress: Progress | None
-) -> AnchorDraws:
+def anchor_draws(scenario: _core.Scenario, draws: int, threads: int | None, progress: Progress | None) -> AnchorDraws:
     """Draws on threads, in their order."""
     study = _core.AnchorDraws(scenario, draws)
     parts: list[Floats] = []

@@ -15,7 +15,7 @@ def _numbers(value: Any) -> Floats:
 
 
 class KinematicsEstimatorRun:
-    """What one estimator found, in the frame of the truth; arrays of length 0 where it does not give what they are about."""
+    """What one estimator found, in the frame of the truth; arrays of what it does not give are empty."""
 
     def __init__(self, part: dict[str, Any], nodes: int, dimension: int) -> None:
         self._part, self._size = part, (nodes, dimension)
