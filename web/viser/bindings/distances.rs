@@ -118,7 +118,8 @@ impl KinematicsEstimate {
     fn snapshots<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let (snapshots, size) = (&self.found.snapshots, self.nodes * self.dimension);
         let numbers = snapshots.iter().flat_map(|snapshot| {
-            let entry = move |index| snapshot.as_ref().map_or(f64::NAN, |found| found.as_slice()[index]);
+            let entry =
+                move |index: usize| snapshot.as_ref().map_or(f64::NAN, |found| found.as_slice()[index]);
             (0..size).map(entry)
         });
         array(py, &[snapshots.len(), self.nodes, self.dimension], numbers)

@@ -67,7 +67,7 @@ impl RelativeKinematics {
         Self(self.0.centred())
     }
 
-    fn aligned_to(&self, py: Python<'_>, truth: &Self) -> PyResult<Self> {
+    fn aligned_to(&self, py: Python<'_>, truth: &RelativeKinematics) -> PyResult<Self> {
         let (found, expected) = (self.size(), truth.size());
         if found != expected {
             let sentence =
