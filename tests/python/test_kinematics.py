@@ -134,6 +134,17 @@ def test_studies_have_the_bits_of_their_trials_on_any_number_of_threads() -> Non
         assert part["summary"]["velocity_distribution"] == errors
 
 
+def test_runs_studies_and_figures_are_those_of_the_command_line(cli: Callable[..., str]) -> None:
+    def said(*arguments: str) -> str:
+        return cli(*arguments, "--format", "json").strip()
+
+    assert SPARSE.run(3).to_json() == said("anchorless", "run", "kinematics-sparse", "--trial", "3")
+    study = SPARSE.study(25, threads=2)
+    assert study.to_json() == said("anchorless", "study", "kinematics-sparse", "--trials", "25")
+    figure = rangelab.figure("kinematics-1", 2, seed=5)
+    assert figure.to_json().strip() == said("figure", "kinematics-1", "--trials", "2", "--seed", "5")
+
+
 def test_a_study_tells_its_progress_and_stops_when_asked() -> None:
     scenario = SPARSE.replace({"estimators.enabled": ["algorithm-1-rank1"]}, steps=2)
     heard: list[tuple[int, int]] = []
