@@ -5,6 +5,7 @@ use rangelab::bounds::kinematics::{Alignment, KinematicsBound as Inner, Kinemati
 use rangelab::model::kinematics;
 use rangelab::model::kinematics::presets::{KINEMATICS_PRESETS, kinematics_preset};
 use rangelab::simulate::kinematics::simulate_kinematics;
+use rangelab::study::kinematics::errors::Yardstick;
 use rangelab::study::kinematics::run::run_kinematics;
 
 use crate::array::{Numbers, array};
@@ -55,7 +56,7 @@ impl KinematicsScenario {
         Ok((DistanceRecord(drawn.record), RelativeKinematics(drawn.truth), turn))
     }
 
-    /// At the true motion, from distances alone or with accelerations.
+    /// At the true motion, from distances alone or with accelerations, of as many coefficients as a study compares.
     fn bound(&self, py: Python<'_>, accelerations: bool) -> PyResult<KinematicsBound> {
         let noise = &self.0.noise;
         compute(py, || {
@@ -65,7 +66,7 @@ impl KinematicsScenario {
             } else {
                 KinematicsDesign::distances(&setup.stamps, noise)
             };
-            Inner::new(&setup.motion, &design).map(KinematicsBound)
+            Inner::new(Yardstick::new(&self.0, &setup).motion(), &design).map(KinematicsBound)
         })
     }
 }

@@ -83,6 +83,8 @@ class KinematicsScenario(Written):
     def bound(self, accelerations: bool = False) -> "KinematicsBound":
         """The Cramér-Rao bound at the true motion, from distances alone or with accelerations.
 
+        That of studies: where estimators assume a higher degree than the motion has, for the coefficients up to theirs.
+
         Raises:
             Error: where the motion is not determined to first order, with the reason.
 
