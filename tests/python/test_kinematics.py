@@ -21,7 +21,7 @@ def numbers_of_golden(part: rangelab.KinematicsEstimatorRun) -> bytes:
     """The numbers of an estimator in the order of `tests/golden/kinematics.rs`."""
     snapshots = part.snapshots[~np.isnan(part.snapshots).any(axis=(1, 2))]
     margin = -1.0 if part.acceleration_margin is None else part.acceleration_margin
-    last = [margin, part.iterations, len((part.failure or "").encode())]
+    last = np.asarray([margin, part.iterations, len((part.failure or "").encode())], dtype=np.float64)
     errors = [part.coefficient_errors, part.gram_errors, part.position_errors, part.aligned_position_errors]
     return b"".join(np.ravel(each).astype("<f8").tobytes() for each in [part.coefficients, *errors, snapshots, last])
 
@@ -210,12 +210,14 @@ def test_what_travels_and_what_a_notebook_shows() -> None:
     assert pickle.loads(pickle.dumps(run)).to_json() == run.to_json()
     restored = pickle.loads(pickle.dumps(simulated.record))
     assert restored.estimate().cost == simulated.record.estimate().cost
-    assert np.array_equal(restored.accelerations, simulated.record.accelerations)
+    readings = simulated.record.accelerations
+    assert readings is not None
+    assert np.array_equal(readings, restored.accelerations)
     assert np.array_equal(pickle.loads(pickle.dumps(simulated.truth)).coefficients, simulated.truth.coefficients)
     study = SPARSE.replace(steps=3).study(20)
     assert study.to_polars().height == len(study.rows()) == len(study.to_pandas())
-    for each in (SPARSE, run, study):
-        assert each._repr_html_().count("<table>") == 1
+    for shown in (SPARSE, run, study):
+        assert shown._repr_html_().count("<table>") == 1
     for each in (SPARSE, run, study, simulated.record, simulated.truth, simulated.record.estimate()):
         assert re.match(r"<rangelab\.\w+", repr(each))
 
