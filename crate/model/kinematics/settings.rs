@@ -7,8 +7,9 @@ use core::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-use crate::error::Error;
-use crate::model::document::check::Check;
+use crate::error::{Error, Problem};
+use crate::model::document::check::{Check, accept};
+use crate::model::document::parse_part;
 
 /// Highest degree of a motion.
 pub const MAX_DEGREE: usize = 8;
@@ -183,23 +184,46 @@ impl Default for KinematicsSettings {
 }
 
 impl KinematicsSettings {
-    pub(super) fn check(&self, check: &mut Check) {
+    /// Reads settings on their own, fills in defaults, and refuses them with every problem.
+    ///
+    /// # Errors
+    /// [`Error::Syntax`] with line and column, [`Error::Invalid`] with every problem.
+    ///
+    /// ```
+    /// use rangelab::model::kinematics::settings::KinematicsSettings;
+    /// assert_eq!(KinematicsSettings::from_json(r#"{"degree": 3}"#)?.range_degree, 4);
+    /// assert!(KinematicsSettings::from_json(r#"{"degree": 9}"#).is_err());
+    /// # Ok::<(), rangelab::Error>(())
+    /// ```
+    pub fn from_json(text: &str) -> Result<Self, Error> {
+        let kind = "settings of relative kinematics";
+        let settings: Self = parse_part(kind, text)?;
+        accept(kind, settings.validate())?;
+        Ok(settings)
+    }
+
+    /// Every problem: path, value, limit.
+    pub fn validate(&self) -> Vec<Problem> {
+        let mut check = Check::default();
+        self.check(&mut check, "");
+        check.into_problems()
+    }
+
+    pub(super) fn check(&self, check: &mut Check, prefix: &str) {
         let mut seen = self.enabled.clone();
         seen.sort();
         seen.dedup();
         if seen.len() != self.enabled.len() {
-            check.problem(
-                "estimators.enabled",
-                "with the same estimator twice",
-                "each estimator at most once",
-            );
+            let value = "with the same estimator twice";
+            check.problem(format_args!("{prefix}enabled"), value, "each estimator at most once");
         }
         if self.degree > MAX_DEGREE {
-            check.problem("estimators.degree", self.degree, format_args!("0 to {MAX_DEGREE}"));
+            check.problem(format_args!("{prefix}degree"), self.degree, format_args!("0 to {MAX_DEGREE}"));
         }
         let most = 2 * MAX_DEGREE;
         if !(2..=most).contains(&self.range_degree) {
-            check.problem("estimators.range_degree", self.range_degree, format_args!("2 to {most}"));
+            let limit = format_args!("2 to {most}");
+            check.problem(format_args!("{prefix}range_degree"), self.range_degree, limit);
         }
     }
 }

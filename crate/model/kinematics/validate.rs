@@ -25,7 +25,7 @@ pub fn problems(scenario: &KinematicsScenario) -> Vec<Problem> {
     check.number("noise.sigma_distance", noise.sigma_distance, Limit::POSITION_NOISE);
     check.number("noise.sigma_acceleration", noise.sigma_acceleration, Limit::ACCELERATION_NOISE);
     check.number("noise.missing_probability", noise.missing_probability, Limit::PROBABILITY);
-    scenario.estimators.check(&mut check);
+    scenario.estimators.check(&mut check, "estimators.");
     if !(1..=MAX_STEPS).contains(&scenario.steps) {
         check.problem("steps", scenario.steps, format_args!("1 to {MAX_STEPS}"));
     }

@@ -8,11 +8,15 @@
 
 mod array;
 mod compute;
+mod distances;
 mod documents;
+mod draws;
 mod error;
 mod figures;
 mod geometry;
 mod indoor;
+mod kinematics;
+mod motion;
 mod plan;
 mod recording;
 mod run;
@@ -27,7 +31,11 @@ mod _core {
     #[pymodule_export]
     use super::compute::panic_on_purpose;
     #[pymodule_export]
+    use super::distances::{DistanceRecord, KinematicsEstimate, kinematics_estimators};
+    #[pymodule_export]
     use super::documents::{Scenario, presets, topologies};
+    #[pymodule_export]
+    use super::draws::AnchorDraws;
     #[pymodule_export]
     use super::error::{
         Cancelled, Error, InternalError, InvalidDocument, NoConvergence, UnknownName, Unobservable,
@@ -38,6 +46,10 @@ mod _core {
     use super::geometry::{advise, best_next, bound_at, explore, field, improve, next_at, size_curve};
     #[pymodule_export]
     use super::indoor::{IndoorRun, IndoorScenario, indoor_presets};
+    #[pymodule_export]
+    use super::kinematics::{KinematicsBound, KinematicsScenario, kinematics_presets};
+    #[pymodule_export]
+    use super::motion::RelativeKinematics;
     #[pymodule_export]
     use super::plan::{Plan, Sum};
     #[pymodule_export]

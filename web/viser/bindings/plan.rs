@@ -10,7 +10,8 @@ use crate::array::{Numbers, array};
 use crate::compute::compute;
 use crate::documents::Scenario;
 use crate::indoor::IndoorScenario;
-use crate::studies::{BudgetStudy, IndoorStudy, LocalizeStudy, Study, Total, TrackStudy};
+use crate::kinematics::KinematicsScenario;
+use crate::studies::{BudgetStudy, IndoorStudy, KinematicsStudy, LocalizeStudy, Study, Total, TrackStudy};
 
 /// A study: what its jobs are.
 #[pyclass(frozen, module = "rangelab._core")]
@@ -50,6 +51,13 @@ impl Plan {
     fn indoor(py: Python<'_>, scenario: &IndoorScenario, trials: usize) -> PyResult<Self> {
         let scenario = scenario.0.clone();
         compute(py, || IndoorStudy::new(scenario, trials).map(Self::new))
+    }
+
+    /// The estimators of a kinematics scenario.
+    #[staticmethod]
+    fn kinematics(py: Python<'_>, scenario: &KinematicsScenario, trials: usize) -> PyResult<Self> {
+        let scenario = scenario.0.clone();
+        compute(py, || KinematicsStudy::new(scenario, trials).map(Self::new))
     }
 
     /// How many jobs there are.

@@ -4,12 +4,15 @@ use std::sync::Arc;
 
 use rangelab::Result;
 use rangelab::model::indoor::IndoorScenario;
+use rangelab::model::kinematics::KinematicsScenario;
 use rangelab::model::noise::RangeNoise;
 use rangelab::model::scenario::Scenario;
 use rangelab::study::block::Block;
 use rangelab::study::budget::{Budget, BudgetBlock};
 use rangelab::study::indoor::block::IndoorBlock;
 use rangelab::study::indoor::monte_carlo::IndoorMonteCarlo;
+use rangelab::study::kinematics::block::KinematicsBlock;
+use rangelab::study::kinematics::monte_carlo::KinematicsMonteCarlo;
 use rangelab::study::localization::{self, LocalizationBlock, LocalizationStudy};
 use rangelab::study::monte_carlo::{MonteCarlo, TRIALS_PER_BLOCK};
 
@@ -208,5 +211,43 @@ impl Total for (Shared<IndoorScenario>, IndoorBlock) {
 
     fn report(&self) -> Result<String> {
         Ok(json(&IndoorMonteCarlo::new(&self.0.scenario, self.0.trials)?.report(&self.1)))
+    }
+}
+
+/// Relative kinematics of nodes without anchors.
+pub struct KinematicsStudy(Shared<KinematicsScenario>);
+
+impl KinematicsStudy {
+    pub fn new(scenario: KinematicsScenario, trials: usize) -> Result<Self> {
+        KinematicsMonteCarlo::new(&scenario, trials)?;
+        Ok(Self(Arc::new(Asked { scenario, trials })))
+    }
+}
+
+impl Study for KinematicsStudy {
+    fn jobs(&self) -> usize {
+        self.0.trials.div_ceil(TRIALS_PER_BLOCK)
+    }
+
+    fn job(&self, index: usize) -> Result<Vec<f64>> {
+        Ok(KinematicsMonteCarlo::new(&self.0.scenario, self.0.trials)?.block(index)?.to_numbers())
+    }
+
+    fn start(&self) -> Box<dyn Total> {
+        Box::new((self.0.clone(), KinematicsBlock::new(&self.0.scenario, 0)))
+    }
+}
+
+impl Total for (Shared<KinematicsScenario>, KinematicsBlock) {
+    fn push(&mut self, numbers: &[f64]) -> Result<()> {
+        self.1.merge(&KinematicsBlock::from_numbers(&self.0.scenario, numbers)?)
+    }
+
+    fn trials(&self) -> usize {
+        self.1.trials()
+    }
+
+    fn report(&self) -> Result<String> {
+        Ok(json(&KinematicsMonteCarlo::new(&self.0.scenario, self.0.trials)?.report(&self.1)))
     }
 }

@@ -1,10 +1,13 @@
 """Documents as dictionaries and as JSON."""
 
+import copy
 import json
 import math
 import re
+from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from typing import Any
+from pathlib import Path
+from typing import Any, Self
 
 import numpy as np
 
@@ -57,3 +60,40 @@ def replaced(document: dict[str, Any], path: str, value: Any) -> None:
             at.update({keys[-1]: value})
     except (AttributeError, KeyError, IndexError, TypeError):
         raise Error(f"the document has nothing at {path}") from None
+
+
+class Written(ABC):
+    """A document that the crate reads from JSON and writes; immutable."""
+
+    @abstractmethod
+    def __init__(self, document: Document | str) -> None: ...
+
+    @abstractmethod
+    def to_json(self) -> str:
+        """The whole document as JSON; every number comes back as the same bits."""
+
+    @classmethod
+    def read(cls, path: str | Path) -> Self:
+        """From a file."""
+        return cls(Path(path).read_text(encoding="utf-8"))
+
+    def to_dict(self) -> dict[str, Any]:
+        """As a dictionary, a copy."""
+        document: dict[str, Any] = json.loads(self.to_json())
+        return document
+
+    def replace(self, changes: Mapping[str, Any] | None = None, /, **more: Any) -> Self:
+        """With other values, by the paths that error messages use, such as `noise.sigma` or `anchors[0]`."""
+        document = copy.deepcopy(self.to_dict())
+        for path, value in {**(changes or {}), **more}.items():
+            replaced(document, path, value)
+        return type(self)(document)
+
+    def __eq__(self, other: object) -> bool:
+        return type(other) is type(self) and isinstance(other, Written) and self.to_json() == other.to_json()
+
+    def __hash__(self) -> int:
+        return hash(self.to_json())
+
+    def __reduce__(self) -> tuple[type[Self], tuple[str]]:
+        return type(self), (self.to_json(),)

@@ -30,12 +30,38 @@ def rows_of_report(report: Row) -> list[Row]:
     """A row for each estimator, bound or threshold and each epoch or point of a study's report."""
     if "rows" in report:
         return [{"name": "et-kf", **flat(row)} for row in report["rows"]]
+    if "instants" in report:
+        return _rows_of_kinematics(report)
     points = [flat(point) for point in report.get("points", [])]
     rows: list[Row] = []
     for kind in ("estimators", "filters", "bounds"):
         for part in report.get(kind, []):
             rows += _rows_of_part(part, points)
     return rows
+
+
+def name_of(part: Row) -> str:
+    """The name of an estimator or bound; bounds on relative kinematics have a label only."""
+    return str(part.get("name", part["label"]))
+
+
+def _rows_of_kinematics(report: Row) -> list[Row]:
+    """For each estimator and bound a row an order of coefficients, then one an instant of positions."""
+    rows: list[Row] = []
+    for part in [*report["estimators"], *report["bounds"]]:
+        figures = part.get("summary", part)
+        keyed = ("order", range(len(figures["coefficients"]) + len(figures["gram"])), ("coefficients", "gram"))
+        for key, places, kinds in (keyed, ("instant", report["instants"], ("positions", "aligned_positions"))):
+            for k, place in enumerate(places):
+                found = {kind: _exact(figures[kind][k]) for kind in kinds if k < len(figures[kind])}
+                if found:
+                    rows.append({"name": name_of(part), key: place, **flat(found)})
+    return rows
+
+
+def _exact(figure: Any) -> Any:
+    """A figure of a bound is certain."""
+    return figure if isinstance(figure, dict) else {"value": figure, "standard_error": 0.0}
 
 
 def _rows_of_part(part: Row, points: list[Row]) -> Iterator[Row]:

@@ -1,14 +1,10 @@
 """The Indoor lab: an IMU and three transmitters on a body, beacons in a room."""
 
-import copy
 import json
-from collections.abc import Mapping
-from pathlib import Path
-from typing import Any
 
 from . import _core
 from .arrays import Flags, Floats, Part
-from .documents import Document, replaced, to_text
+from .documents import Document, Written, to_text
 from .html import card
 from .jobs import Progress
 from .studies import Study, indoor_study
@@ -20,7 +16,7 @@ def indoor_presets() -> list[dict[str, str]]:
     return found
 
 
-class IndoorScenario:
+class IndoorScenario(Written):
     """A simulated indoor experiment in space; immutable. Only the version must be given.
 
     Raises:
@@ -36,26 +32,9 @@ class IndoorScenario:
         """A scenario of `rangelab.indoor_presets()`."""
         return cls(_core.IndoorScenario.preset(name).to_json())
 
-    @classmethod
-    def read(cls, path: str | Path) -> "IndoorScenario":
-        """A scenario from a file."""
-        return cls(Path(path).read_text(encoding="utf-8"))
-
     def to_json(self) -> str:
         """The whole scenario as JSON; every number comes back as the same bits."""
         return self._core.to_json()
-
-    def to_dict(self) -> dict[str, Any]:
-        """The whole scenario as a dictionary, a copy."""
-        document: dict[str, Any] = json.loads(self.to_json())
-        return document
-
-    def replace(self, changes: Mapping[str, Any] | None = None, /, **more: Any) -> "IndoorScenario":
-        """The scenario with other values, by path."""
-        document = copy.deepcopy(self.to_dict())
-        for path, value in {**(changes or {}), **more}.items():
-            replaced(document, path, value)
-        return type(self)(document)
 
     def run(self, trial: int = 0) -> "IndoorRun":
         """Simulates one trial and runs the enabled filters; one that fails says so in its own part."""
@@ -64,9 +43,6 @@ class IndoorScenario:
     def study(self, trials: int = 1000, *, threads: int | None = None, progress: Progress | None = None) -> Study:
         """Monte-Carlo of the enabled filters, as `Scenario.study`."""
         return indoor_study(self._core, trials, threads, progress)
-
-    def __reduce__(self) -> tuple[type["IndoorScenario"], tuple[str]]:
-        return type(self), (self.to_json(),)
 
     def __repr__(self) -> str:
         document = self.to_dict()

@@ -1,9 +1,7 @@
 """Scenarios of the labs Track, Localize and Explore."""
 
-import copy
 import json
-from collections.abc import Mapping, Sequence
-from pathlib import Path
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -11,7 +9,8 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from .arrays import Floats
-from .documents import Document, replaced, to_text
+from .documents import Document, Written, to_text
+from .draws import AnchorDraws, anchor_draws
 from .field import Field
 from .html import card
 from .jobs import Progress
@@ -32,7 +31,7 @@ def topologies(dimension: int) -> list[dict[str, Any]]:
     return found
 
 
-class Scenario:
+class Scenario(Written):
     """A simulated experiment: geometry, noise, motion, and which estimators run on it; immutable.
 
     `document` is a dictionary or JSON as on the command line and on the page; version, dimension, anchors (M x D, m),
@@ -45,6 +44,8 @@ class Scenario:
     >>> Scenario({"version": 1, "dimension": 2, "anchors": [[0, 0], [9, 0], [0, 9]],
     ...           "sensors": [[-0.5, 0], [0.5, 0], [0, 1]], "noise": {"kind": "range", "sigma": 0.05}}).steps
     20
+    >>> Scenario.preset("room").replace({"noise.sigma": 0.1, "anchors[0]": [0, 0, 1]}, steps=5).steps
+    5
 
     """
 
@@ -62,30 +63,9 @@ class Scenario:
         """A scenario of `rangelab.presets()`."""
         return cls._of(_core.Scenario.preset(name))
 
-    @classmethod
-    def read(cls, path: str | Path) -> "Scenario":
-        """A scenario from a file."""
-        return cls(Path(path).read_text(encoding="utf-8"))
-
     def to_json(self) -> str:
         """The whole scenario as JSON; every number comes back as the same bits."""
         return self._core.to_json()
-
-    def to_dict(self) -> dict[str, Any]:
-        """The whole scenario as a dictionary, a copy."""
-        document: dict[str, Any] = json.loads(self.to_json())
-        return document
-
-    def replace(self, changes: Mapping[str, Any] | None = None, /, **more: Any) -> "Scenario":
-        """The scenario with other values, by the paths that error messages use.
-
-        >>> Scenario.preset("room").replace({"noise.sigma": 0.1, "anchors[0]": [0, 0, 1]}, steps=5).steps
-        5
-        """
-        document = copy.deepcopy(self.to_dict())
-        for path, value in {**(changes or {}), **more}.items():
-            replaced(document, path, value)
-        return type(self)(document)
 
     @property
     def name(self) -> str:
@@ -218,14 +198,11 @@ class Scenario:
         """What projections of the ET-KF cost and give at these thresholds."""
         return budget_study(self._core, thresholds, trials, threads, progress)
 
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Scenario) and self.to_json() == other.to_json()
-
-    def __hash__(self) -> int:
-        return hash(self.to_json())
-
-    def __reduce__(self) -> tuple[type["Scenario"], tuple[str]]:
-        return type(self), (self.to_json(),)
+    def anchor_draws(
+        self, draws: int = 200, *, threads: int | None = None, progress: Progress | None = None
+    ) -> AnchorDraws:
+        """Each trial with the scenario's own anchors and with anchors drawn anew, all other random numbers the same."""
+        return anchor_draws(self._core, draws, threads, progress)
 
     def __repr__(self) -> str:
         return f"<rangelab.Scenario {self.name!r}: {self._summary()}>"

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from .arrays import Floats
 from .documents import Document, to_text
-from .frames import rows_of_report
+from .frames import name_of, rows_of_report
 from .html import table
 from .jobs import Progress, run_jobs
 
@@ -56,7 +56,7 @@ class Study:
         """Estimators and bounds with figures."""
         report = self.to_dict()
         parts = [*report.get("estimators", []), *report.get("filters", []), *report.get("bounds", [])]
-        return [str(part["name"]) for part in parts]
+        return [name_of(part) for part in parts]
 
     def curve(self, name: str, figure: str) -> Curve:
         """A figure of an estimator or bound, for example `curve("uc-kf", "rmse_position")` (m).
@@ -68,8 +68,9 @@ class Study:
         rows = [row for row in self.rows() if row["name"] == name]
         if not rows:
             raise _core.UnknownName(f'no part of this study is called "{name}"; there are: {", ".join(self.names)}')
-        if figure not in rows[0]:
-            known = ", ".join(key for key in rows[0] if f"{key}_standard_error" in rows[0])
+        known = ", ".join(dict.fromkeys(key for row in rows for key in row if f"{key}_standard_error" in row))
+        rows = [row for row in rows if figure in row]
+        if not rows:
             raise _core.UnknownName(f'no figure of {name} is called "{figure}"; there are: {known}')
 
         def column(key: str) -> Floats:
@@ -158,3 +159,10 @@ def budget_study(
 def indoor_study(scenario: _core.IndoorScenario, trials: int, threads: int | None, progress: Progress | None) -> Study:
     """The filters of an indoor scenario."""
     return run_plan(_core.Plan.indoor(scenario, trials), trials, threads, progress)
+
+
+def kinematics_study(
+    scenario: _core.KinematicsScenario, trials: int, threads: int | None, progress: Progress | None
+) -> Study:
+    """Relative kinematics of nodes without anchors."""
+    return run_plan(_core.Plan.kinematics(scenario, trials), trials, threads, progress)
