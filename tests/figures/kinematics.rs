@@ -43,7 +43,7 @@ fn figure_1() {
 fn figure_2a() {
     let spoils = [
         ("algorithm-1-rank1", "algorithm-2-rank1", 3),
-        ("maximum-likelihood", "algorithm-2-rank1", 6),
+        ("maximum-likelihood", "algorithm-2-rank1", 5),
         ("algorithm-2-rank1", "algorithm-2-so", 1),
     ];
     claims_come_out_over(TRIALS, &[("kinematics-2a", 28, &spoils)]);

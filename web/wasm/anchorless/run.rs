@@ -124,7 +124,7 @@ impl AnchorlessTrial {
             RelativeKinematics::new(pairs.map(|(found, truth)| found - truth).collect()).map(Some)
         };
         let errors = run.estimators.iter().map(error).collect::<Result<_>>()?;
-        Ok(Self { truth, errors, run })
+        Ok(Self { run, truth, errors })
     }
 
     /// The run that the arrays are read from.

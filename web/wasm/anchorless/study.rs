@@ -66,7 +66,8 @@ impl AnchorlessSum {
         let (mut rest, mut next) = (numbers, self.sums.clone());
         for (scenario, sum) in &mut next {
             let (&length, after) = rest.split_first().unwrap_or((&0.0, &[]));
-            let (block, after) = after.split_at((length as usize).min(after.len()));
+            let length = (0..after.len()).find(|count| (*count as f64).to_bits() == length.to_bits());
+            let (block, after) = after.split_at(length.unwrap_or(after.len()));
             sum.merge(&KinematicsBlock::from_numbers(scenario, block)?)?;
             rest = after;
         }
