@@ -32,7 +32,7 @@ fn each_point_is_the_study_of_its_scenario() {
             assert_eq!((point.stamps, &point.bounds), (count, &alone.bounds));
             let values = |report: &KinematicsReport| -> Vec<f64> {
                 let each = report.estimators.iter().map(|each| &each.summary);
-                each.flat_map(|it| [&it.coefficients, &it.gram, &it.positions].map(|list| list.clone()))
+                each.flat_map(|it| [&it.coefficients, &it.gram, &it.positions].map(Clone::clone))
                     .flatten()
                     .map(|figure| figure.value)
                     .collect()

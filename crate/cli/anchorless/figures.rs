@@ -60,8 +60,8 @@ impl<T> Figures<'_, T> {
 }
 
 /// Four digits, whatever the size.
-pub fn exact(figure: &f64) -> String {
-    Estimate { value: *figure, standard_error: 0.0 }.to_string()
+pub fn exact(figure: f64) -> String {
+    Estimate { value: figure, standard_error: 0.0 }.to_string()
 }
 
 /// Each sentence that says why there is nothing, once, behind those it holds for.

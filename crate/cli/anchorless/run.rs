@@ -72,10 +72,10 @@ fn table(run: &KinematicsRun, bounds: &[KinematicsBoundReport]) -> String {
             Some(_) => "no estimate".to_owned(),
             None => estimator.iterations.to_string(),
         };
-        figures(estimator).row(&estimator.label, exact, last)
+        figures(estimator).row(&estimator.label, |it| exact(*it), last)
     });
     let bounds_rows =
-        bounds.iter().map(|bound| Figures::of_bound(bound).row(&bound.label, exact, String::new()));
+        bounds.iter().map(|bound| Figures::of_bound(bound).row(&bound.label, |it| exact(*it), String::new()));
     let rows: Vec<_> = estimators.chain(bounds_rows).collect();
     let sentences = run.estimators.iter().map(|each| (each.label.as_str(), each.failure.as_ref()));
     let of_bounds = bounds.iter().map(|bound| (bound.label.as_str(), bound.failure.as_ref()));

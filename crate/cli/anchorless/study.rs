@@ -91,7 +91,7 @@ fn table(report: &KinematicsReport) -> String {
     });
     let bounds = &report.bounds;
     let bounds_rows =
-        bounds.iter().map(|bound| Figures::of_bound(bound).row(&bound.label, exact, String::new()));
+        bounds.iter().map(|bound| Figures::of_bound(bound).row(&bound.label, |it| exact(*it), String::new()));
     let rows: Vec<_> = estimators.chain(bounds_rows).collect();
     let sentences = bounds.iter().map(|bound| (bound.label.as_str(), bound.failure.as_ref()));
     let name = if report.name.is_empty() { "no name" } else { &report.name };
