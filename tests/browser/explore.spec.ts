@@ -122,6 +122,7 @@ test("at rest the field gets finer in workers, and where there are none in idle 
   page,
   context,
 }) => {
+  test.setTimeout(120_000);
   const lab = await openExplore(page);
   await expect.poll(() => page.workers().some((worker) => worker.url().includes("field-worker"))).toBe(true);
   // The other page begins as this one did.
