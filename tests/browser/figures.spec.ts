@@ -142,7 +142,10 @@ test("what a figure simulates opens in its lab, and one undo comes back to the s
   const lab = await Lab.open(page);
   const before = await lab.anchor(1);
   const dialog = await open(page);
-  await dialog.getByRole("button", { name: /^Fig\. 7/ }).click();
+  await dialog
+    .getByRole("button", { name: /^Fig\. 7/ })
+    .first()
+    .click();
   await compute(dialog, 20);
   await dialog
     .getByRole("button", { name: /in Localize$/ })

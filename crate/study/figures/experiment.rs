@@ -1,4 +1,4 @@
-//! What a figure simulates, of whatever kind. A kind of experiment is a type that is a [`Kind`] and a line of `kinds!`.
+//! What a figure simulates, of whatever kind. A kind of experiment is a type that is a `Kind` and a line of `kinds!`.
 
 use alloc::vec::Vec;
 
