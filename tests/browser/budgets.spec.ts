@@ -17,8 +17,8 @@ const HEAVIEST_MODULE_KB = {
   explore: 290,
   localize: 276,
   indoor: 202,
-  anchorless: 258,
-  figures: 290,
+  anchorless: 259,
+  figures: 553,
 };
 
 for (const [name, heaviest] of Object.entries(HEAVIEST_MODULE_KB))
