@@ -19,7 +19,7 @@ function computed(name: string, trials: number): FigurePicture {
 beforeAll(loadEngineForTests);
 
 describe("every figure", () => {
-  test("has plots whose curves differ by name and by look", () => {
+  test("has plots whose curves differ by name and by look", { timeout: 60_000 }, () => {
     for (const { name } of figures()) {
       const { report } = computed(name, 2);
       for (const { lines, x } of plotsOf(report)) {
