@@ -118,6 +118,15 @@ test("anchors in one plane hide a mirror image, and motions off the plane from p
   await expect(page.locator(".scene .note")).toContainText("no range sees");
 });
 
+/** In the page: no worker can be started. */
+function refuseWorkers(): void {
+  window.Worker = class {
+    constructor() {
+      throw new Error("There are no workers here.");
+    }
+  } as unknown as typeof Worker;
+}
+
 test("at rest the field gets finer in workers, and where there are none in idle moments: to the same picture", async ({
   page,
   context,
@@ -128,13 +137,7 @@ test("at rest the field gets finer in workers, and where there are none in idle 
   // The other page begins as this one did.
   await page.evaluate(() => localStorage.clear());
   const alone = await context.newPage();
-  await alone.addInitScript(() => {
-    window.Worker = class {
-      constructor() {
-        throw new Error("There are no workers here.");
-      }
-    } as unknown as typeof Worker;
-  });
+  await alone.addInitScript(refuseWorkers);
   const other = await openExplore(alone);
   const pictureOf = ({ surface }: Lab) => surface.screenshot();
   const same = async () => (await pictureOf(lab)).equals(await pictureOf(other));
@@ -142,14 +145,8 @@ test("at rest the field gets finer in workers, and where there are none in idle 
   expect(alone.workers()).toEqual([]);
   // A page that is never idle keeps the first, coarse field.
   const busy = await context.newPage();
-  await busy.addInitScript(() => {
-    window.requestIdleCallback = () => 0;
-    window.Worker = class {
-      constructor() {
-        throw new Error("There are no workers here.");
-      }
-    } as unknown as typeof Worker;
-  });
+  await busy.addInitScript(refuseWorkers);
+  await busy.addInitScript(() => void (window.requestIdleCallback = () => 0));
   await alone.evaluate(() => localStorage.clear());
   const coarse = await openExplore(busy);
   await coarse.settled();

@@ -1,5 +1,6 @@
 /** How the curves of figures look: as in the labs, and in the pictures of the command line. */
 import type { Curve } from "../generated/Curve";
+import { FILTERS } from "../labs/indoor/filters";
 import { BOUND_LOOKS as SNAPSHOT_BOUNDS, LOCALIZERS } from "../labs/localize/localizers";
 import { BOUND_LOOKS as TRACK_BOUNDS } from "../labs/track/plots";
 import type { PlotLine } from "../plots/spec";
@@ -7,15 +8,6 @@ import { MARKS } from "../theme/palette";
 
 const DASH = [7, 4];
 const DOTS = [2, 4];
-
-/** Those of the filters of indoor tracking; a dashed one is drawn over another whose numbers it often has. */
-const FILTERS: Record<string, Look> = {
-  ekf: { token: "kf", mark: "ring", dash: [] },
-  "ekf-rie": { token: "uc-kf", mark: "triangle", dash: DASH },
-  ukf: { token: "et-kf", mark: "diamond", dash: [] },
-  "ukf-rie": { token: "et-kf", mark: "triangle", dash: DASH },
-  mekf: { token: "eskf", mark: "disc", dash: [] },
-};
 
 /** Those of relative kinematics; dashed ones share a colour or, often, the numbers of another. */
 const KINEMATICS: Record<string, Look> = {
@@ -54,7 +46,7 @@ export function lookOf({ name, kind }: Pick<Curve, "name" | "kind">): Look {
 
 /** Snapshot estimators share the colours of the trackers: no figure shows both. */
 function estimatorLook(name: string): Look {
-  const own = FILTERS[name] ?? KINEMATICS[name];
+  const own: Look | undefined = FILTERS.find((filter) => filter.name === name) ?? KINEMATICS[name];
   if (own) return own;
   if (MARKS[name]) return { token: name, mark: MARKS[name], dash: [] };
   const localizer = LOCALIZERS.find((each) => each.name === name);

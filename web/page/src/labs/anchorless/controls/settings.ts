@@ -1,4 +1,5 @@
 import type { NumberSetting } from "../../../controls/setting";
+import { missing } from "../../../controls/shared-settings";
 
 /** The single numbers of a kinematics scenario, as the controls show them. */
 
@@ -20,7 +21,6 @@ export const STEPS: NumberSetting = {
   step: 10,
   min: 1,
 };
-export const SEED: NumberSetting = { path: "seed", label: "Seed", unit: "", step: 1, min: 0 };
 
 export const DISTANCE: NumberSetting = {
   path: "noise.sigma_distance",
@@ -34,16 +34,7 @@ export const ACCELERATION: NumberSetting = {
   unit: "m/s²",
   scale: { min: 1e-5, max: 1, log: true, zero: true },
 };
-export const MISSING: NumberSetting = {
-  path: "noise.missing_probability",
-  label: "Missing distances",
-  unit: "%",
-  factor: 100,
-  min: 0,
-  max: 100,
-  step: 5,
-  scale: { min: 0, max: 90 },
-};
+export const MISSING = missing("noise.missing_probability", "Missing distances");
 
 export const DEGREE: NumberSetting = {
   path: "estimators.degree",

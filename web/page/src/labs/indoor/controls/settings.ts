@@ -1,5 +1,6 @@
 import { DEGREES_PER_RADIAN } from "../../../controls/format";
 import type { NumberSetting } from "../../../controls/setting";
+import { missing } from "../../../controls/shared-settings";
 
 /** The single numbers of an indoor scenario, as the controls show them. */
 
@@ -35,16 +36,7 @@ export const INTERVAL: NumberSetting = {
   unit: "s",
   scale: { min: 0.1, max: 10, log: true },
 };
-export const MISSING: NumberSetting = {
-  path: "ranging.missing_probability",
-  label: "Missing ranges",
-  unit: "%",
-  factor: 100,
-  min: 0,
-  max: 100,
-  step: 5,
-  scale: { min: 0, max: 90 },
-};
+export const MISSING = missing("ranging.missing_probability", "Missing ranges");
 
 export const VARIANCE: NumberSetting = {
   path: "start.prior.variance",
@@ -71,5 +63,3 @@ export const VELOCITY: NumberSetting = {
   unit: "m/s",
   scale: { min: 0.001, max: 10, log: true },
 };
-
-export const SEED: NumberSetting = { path: "seed", label: "Seed", unit: "", step: 1, min: 0 };

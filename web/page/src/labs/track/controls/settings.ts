@@ -1,18 +1,10 @@
 import { DEGREES_PER_RADIAN } from "../../../controls/format";
 import type { NumberSetting } from "../../../controls/setting";
+import { missing } from "../../../controls/shared-settings";
 
 /** The single numbers of a scenario, as the controls show them. */
 
-export const MISSING: NumberSetting = {
-  path: "missing_probability",
-  label: "Missing ranges",
-  unit: "%",
-  factor: 100,
-  min: 0,
-  max: 100,
-  step: 5,
-  scale: { min: 0, max: 90 },
-};
+export const MISSING = missing("missing_probability", "Missing ranges");
 
 export const EPSILON: NumberSetting = {
   path: "estimators.threshold.epsilon",
@@ -21,7 +13,6 @@ export const EPSILON: NumberSetting = {
   scale: { min: 0.001, max: 3, log: true, zero: true },
 };
 
-export const SEED: NumberSetting = { path: "seed", label: "Seed", unit: "", step: 1, min: 0 };
 export const STEPS: NumberSetting = { path: "steps", label: "Steps", unit: "", step: 10, min: 1 };
 export const INTERVAL: NumberSetting = { path: "interval", label: "Interval", unit: "s", step: 0.1 };
 
