@@ -10,15 +10,16 @@ test.use({ launchOptions: graphicsBrowser });
 
 /**
  * The budget of 150 kB a module is missed and reported as missed. What every check holds is that no module grows by
- * accident: this is what each weighs, rounded up.
+ * accident: this is what each weighs, and one per cent, since the paths of the machine that builds it are in the texts
+ * of its panics.
  */
 const HEAVIEST_MODULE_KB = {
-  track: 316,
-  explore: 290,
-  localize: 276,
-  indoor: 202,
-  anchorless: 259,
-  figures: 553,
+  track: 319,
+  explore: 293,
+  localize: 279,
+  indoor: 204,
+  anchorless: 262,
+  figures: 559,
 };
 
 for (const [name, heaviest] of Object.entries(HEAVIEST_MODULE_KB))
