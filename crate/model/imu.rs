@@ -30,6 +30,16 @@ pub enum Convention {
 impl Convention {
     /// All of them, in the order in which they are shown.
     pub const ALL: [Self; 4] = [Self::Sample, Self::Disc, Self::Mean, Self::Trap];
+
+    /// The name in files and on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Sample => "sample",
+            Self::Disc => "disc",
+            Self::Mean => "mean",
+            Self::Trap => "trap",
+        }
+    }
 }
 
 /// What is done about a lever arm, which makes the accelerometer feel the body's turning.

@@ -176,9 +176,17 @@ fn localization_figures_7_to_9() {
 
 #[test]
 fn another_seed_contradicts_nothing() {
-    for name in ["tracking-2", "tracking-3", "localization-3", "localization-7"] {
+    let figures = [
+        ("tracking-2", 200),
+        ("tracking-3", 200),
+        ("localization-3", 200),
+        ("localization-7", 200),
+        ("indoor-9", 80),
+        ("kinematics-2b", 200),
+    ];
+    for (name, trials) in figures {
         let claims = [11, 12].map(|seed| {
-            let plan = plan(name, 200, seed);
+            let plan = plan(name, trials, seed);
             plan.report(&computed(&plan)).unwrap().claims
         });
         for (one, other) in claims[0].iter().zip(&claims[1]) {
@@ -186,6 +194,17 @@ fn another_seed_contradicts_nothing() {
             let contradict = verdicts.contains(&Verdict::Holds) && verdicts.contains(&Verdict::DoesNotHold);
             assert!(!contradict, "{one}\n{other}");
         }
+    }
+}
+
+#[test]
+#[ignore = "minutes: every figure as it ships"]
+fn every_figure_comes_out_at_full_size() {
+    for figure in &FIGURES {
+        let plan = plan(figure.name, figure.trials, SEED);
+        let report = plan.report(&computed(&plan)).unwrap();
+        println!("{}\n{}", report.heading(), report.caption);
+        assert_eq!(surprises(&report.claims), [""; 0], "{}", figure.name);
     }
 }
 
@@ -215,6 +234,21 @@ fn without_numbers_nothing_is_decided() {
         assert!(report.panels.iter().all(|panel| panel.curves.is_empty()), "{}", figure.name);
         assert!(report.claims.iter().all(|claim| claim.verdict == Verdict::NotDecided), "{}", figure.name);
         assert!(report.claims.iter().all(|claim| claim.found.is_none()), "{}", figure.name);
+    }
+}
+
+/// One trial has no spread, so that its standard error would be zero and every verdict certain.
+#[test]
+fn of_one_trial_only_bounds_are_decided() {
+    for figure in &FIGURES {
+        let [one, other] = [1, 2].map(|seed| {
+            let plan = FigurePlan::new(figure, 1, seed).unwrap();
+            plan.report(&computed(&plan)).unwrap().claims
+        });
+        for (one, other) in one.iter().zip(&other) {
+            let by_chance = one.found.map(|found| found.value) != other.found.map(|found| found.value);
+            assert!(!by_chance || one.verdict == Verdict::NotDecided, "{}: {one}", figure.name);
+        }
     }
 }
 

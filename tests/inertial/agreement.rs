@@ -61,17 +61,13 @@ impl Reference {
         }
     }
 
-    /// Orientation, position, velocity and covariance of position and velocity.
+    /// Orientation, position, velocity and their covariance.
     fn figures(&self) -> (Matrix, Vector, Matrix) {
         match self {
-            Self::Fifteen(it) => (rotation(&it.x), it.x[9..].to_vec(), corner(&it.p, 9)),
-            Self::Nine(it) => (it.r.clone(), [&it.p[..], &it.v[..]].concat(), corner(&it.reported(), 3)),
+            Self::Fifteen(it) => (rotation(&it.x), it.x[9..].to_vec(), it.reported()),
+            Self::Nine(it) => (it.r.clone(), [&it.p[..], &it.v[..]].concat(), it.reported()),
         }
     }
-}
-
-fn corner(p: &Matrix, from: usize) -> Matrix {
-    p[from..].iter().map(|row| row[from..].to_vec()).collect()
 }
 
 /// Largest difference of states, and of covariances relative to their largest entry.
@@ -85,13 +81,33 @@ fn difference(step: &InertialStep, reference: &Reference) -> (f64, f64) {
         }
         state = state.max((step.position[i] - motion[i]).abs()).max((step.velocity[i] - motion[3 + i]).abs());
     }
-    for i in 0..6 {
-        for j in 0..6 {
-            covariance = covariance.max((step.covariance[(3 + i, 3 + j)] - p[i][j]).abs());
+    for i in 0..9 {
+        for j in 0..9 {
+            covariance = covariance.max((step.covariance[(i, j)] - p[i][j]).abs());
             largest = largest.max(p[i][j].abs());
         }
     }
     (state, covariance / largest)
+}
+
+/// A covariance in which the angles have the other sign is that of another error.
+#[test]
+fn the_sign_of_the_angles_is_seen() {
+    let recording = recording();
+    let (settings, choices) = settings(Transport::Congruence, Retraction::Qr, false);
+    for name in FilterName::ALL {
+        let mut filter = inertial_filter(name, &settings, &recording.model, &recording.start).unwrap();
+        let mut reference = Reference::new(name, &recording);
+        let mut largest = 0.0_f64;
+        for (k, epoch) in recording.epochs.iter().enumerate() {
+            let mut step = filter.step(epoch).unwrap();
+            reference.step(name, &recording, k, &choices);
+            step.covariance.fixed_view_mut::<3, 6>(0, 3).neg_mut();
+            step.covariance.fixed_view_mut::<6, 3>(3, 0).neg_mut();
+            largest = largest.max(difference(&step, &reference).1);
+        }
+        caught(&format!("{name}"), largest, 1e3 * LIMIT);
+    }
 }
 
 fn largest_difference(
@@ -151,6 +167,30 @@ fn every_choice_of_transport_and_retraction_is_the_reference() {
             }
         }
     }
+}
+
+/// A prior along the tangent space, wider in the angles than in what else there is.
+#[test]
+fn a_tangent_prior_is_that_of_the_reference() {
+    let mut scenario = scenario();
+    scenario.start.prior = StartPrior::Tangent { angle: 0.2, position: 0.1, velocity: 0.3 };
+    let mut recording = simulate_indoor(&scenario, 3).unwrap();
+    recording.epochs.truncate(STEPS);
+    let (settings, choices) = settings(Transport::Congruence, Retraction::Exponential, true);
+    for name in
+        [FilterName::Ekf, FilterName::EkfFull, FilterName::EkfRie, FilterName::Ukf, FilterName::UkfRie]
+    {
+        let (state, covariance) = largest_difference(name, &settings, &choices, &recording);
+        at_most(&format!("state of {name}"), state, LIMIT);
+        at_most(&format!("covariance of {name}"), covariance, LIMIT);
+    }
+    let spoiled = StartPrior::Tangent { angle: 0.2, position: 0.3, velocity: 0.1 };
+    let mut filter = inertial_filter(FilterName::Ekf, &settings, &recording.model, &recording.start).unwrap();
+    recording.start.prior = spoiled;
+    let mut reference = Reference::new(FilterName::Ekf, &recording);
+    let step = filter.step(&recording.epochs[0]).unwrap();
+    reference.step(FilterName::Ekf, &recording, 0, &choices);
+    caught("position for velocity", difference(&step, &reference).1, 1e3 * LIMIT);
 }
 
 /// The noise grows by 1e12 within a few steps: fewer of them, and fewer digits.

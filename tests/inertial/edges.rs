@@ -13,6 +13,7 @@ use rangelab::model::indoor::filter_settings::{FilterName, FilterSettings, Front
 use rangelab::model::indoor::presets::indoor_preset;
 use rangelab::model::indoor::{IndoorScenario, StartPrior};
 use rangelab::simulate::indoor::simulate_indoor;
+use rangelab::study::indoor::block::IndoorBlock;
 
 use crate::support::at_most;
 use crate::support::sampling::Sampler;
@@ -271,4 +272,22 @@ fn scenarios_list_all_their_problems() {
     assert!(matches!(read(r#"{"version": 2}"#), Err(Error::Version { .. })));
     let scenario = read(r#"{"version": 1}"#).unwrap();
     assert_eq!(read(&scenario.to_json()).unwrap(), scenario);
+}
+
+/// A filter that reaches the end of no trial has no figures: an error of zero would be the best of all.
+#[test]
+fn a_study_of_nothing_but_failures_has_no_curve() {
+    let scenario = indoor_preset("indoor-u").unwrap();
+    let mut recording = simulate_indoor(&scenario, 0).unwrap();
+    let mut block = IndoorBlock::new(&scenario, 0);
+    recording.epochs[5].interval = 100.0;
+    block.push(&recording, &scenario.filters).unwrap();
+    for index in 0..scenario.filters.enabled.len() {
+        let summary = block.filter(index);
+        assert_eq!((summary.trials, summary.failures, summary.steps.len()), (0, 1, 0));
+    }
+    recording.epochs[5].interval = 0.1;
+    block.push(&recording, &scenario.filters).unwrap();
+    let summary = block.filter(0);
+    assert_eq!((summary.trials, summary.failures, summary.steps.len()), (1, 1, recording.epochs.len()));
 }

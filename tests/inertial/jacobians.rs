@@ -169,9 +169,28 @@ fn the_integrals_are_their_series() {
 /// The corrected acceleration has the covariance of the formula, to what so many draws can tell.
 #[test]
 fn the_covariance_of_a_corrected_acceleration_is_that_of_its_draws() {
+    // The entries of a covariance of n normal draws are off by sqrt(2/n) of the trace at most.
+    corrected(0.1, 0.1, 2.0);
+}
+
+/// Where the noise is larger than the turn and slow, most comes from its squares, which spread like those of normal draws:
+/// the fourth moment of a squared normal number is 15 times the square of its second instead of 3 times.
+#[test]
+fn so_it_is_where_the_squares_of_the_noise_count() {
+    let (z, w, variance) = (LEVER, TURN, 4.0);
+    corrected(2.0, 1.0, 14.0);
+    let formula = acceleration_covariance(&w, &z, 1.0, variance, 0.0);
+    let linear = acceleration_covariance(&w, &z, 1.0, 1e-9, 0.0) * (variance / 1e-9);
+    caught("no squares", (formula - linear).abs().max() / formula.trace(), 0.1);
+}
+
+const LEVER: Vector3<f64> = Vector3::new(0.05, 0.02, -0.03);
+const TURN: Vector3<f64> = Vector3::new(0.4, -1.1, 0.7);
+
+/// Draws what the formula says, with a fourth moment that is `1 + spread` times the square of the second.
+fn corrected(deviation: f64, t: f64, spread: f64) {
     const DRAWS: usize = 200_000;
-    let (z, t) = (Vector3::new(0.05, 0.02, -0.03), 0.1);
-    let (w, deviation, own) = (Vector3::new(0.4, -1.1, 0.7), 0.1, 0.01);
+    let (z, w, own) = (LEVER, TURN, 0.1 * deviation);
     let mut sampler = Sampler::new(5);
     let mut sum = Matrix3::zeros();
     let felt = |now: &Vector3<f64>, next: &Vector3<f64>| {
@@ -188,8 +207,7 @@ fn the_covariance_of_a_corrected_acceleration_is_that_of_its_draws() {
     let drawn = sum / DRAWS as f64;
     let formula = acceleration_covariance(&w, &z, t, deviation * deviation, own * own);
     let scale = formula.trace();
-    // Entries of a covariance of n normal draws are off by sqrt(2/n) of the trace at most.
-    let tolerance = 4.5 * (2.0 / DRAWS as f64).sqrt();
+    let tolerance = 4.5 * (spread / DRAWS as f64).sqrt();
     at_most("covariance", (drawn - formula).abs().max() / scale, tolerance);
     let independent = acceleration_covariance(&Vector3::zeros(), &z, t, deviation * deviation, own * own);
     caught("no turn", (drawn - independent).abs().max() / scale, tolerance);

@@ -40,11 +40,30 @@ fn rows(recording: &IndoorRecording) -> Matrix {
     (0..3).map(|i| (0..3).map(|j| matrix[(i, j)]).collect()).collect()
 }
 
-fn variance(recording: &IndoorRecording) -> f64 {
+/// Of `[vec(R); p; v]`: a tangent prior has `angle^2 J J^T` and next to nothing across the tangent space, `J` having the
+/// columns `vec(R hat(e_i))`.
+fn prior(recording: &IndoorRecording) -> Matrix {
+    let mut p = zeros(15, 15);
     match recording.start.prior {
-        StartPrior::Isotropic { variance } => variance,
-        StartPrior::Tangent { .. } => panic!("the reference starts from an isotropic prior"),
+        StartPrior::Isotropic { variance } => p = plus(&p, variance, &identity(15)),
+        StartPrior::Tangent { angle, position, velocity } => {
+            for axis in 0..3 {
+                let direction = times(&rows(recording), &hat(&identity(3)[axis]));
+                let mut column = vec![0.0; 15];
+                set_rotation(&mut column, &direction);
+                for i in 0..9 {
+                    for j in 0..9 {
+                        p[i][j] += angle * angle * column[i] * column[j];
+                    }
+                }
+            }
+            for i in 0..15 {
+                p[i][i] += [1e-10, position * position, velocity * velocity]
+                    [usize::from(i >= 9) + usize::from(i >= 12)];
+            }
+        }
     }
+    p
 }
 
 /// Positions of the transmitters by Gauss-Newton, each by itself, from where they are expected.
@@ -80,7 +99,19 @@ impl Fifteen {
             x[9 + k] = recording.start.state.position[k];
             x[12 + k] = recording.start.state.velocity[k];
         }
-        Self { x, p: plus(&zeros(15, 15), variance(recording), &identity(15)) }
+        Self { x, p: prior(recording) }
+    }
+
+    /// Covariance of angles, position and velocity: the angles of a change of the state are `vee(skew(R^T dR))` at the
+    /// rotation next to it.
+    pub fn reported(&self) -> Matrix {
+        let near = transpose(&polar(&rotation(&self.x)));
+        let changes = identity(15).into_iter().map(|change| {
+            let turned = times(&near, &rotation(&change));
+            let skew = plus(&turned, -1.0, &transpose(&turned));
+            [&[0.5 * skew[2][1], 0.5 * skew[0][2], 0.5 * skew[1][0]], &change[9..]].concat()
+        });
+        congruence(&transpose(&changes.collect()), &self.p)
     }
 
     /// \[I\] eq. 14 to 16 as functions of the state.

@@ -15,7 +15,7 @@ use crate::cli::table::columns;
 use crate::cli::workers::{Jobs, Threads};
 
 const ERRORS: &str = "
-Each figure ± its standard error; a figure alone is certain to the digits shown.
+Each figure ± its standard error; a figure alone is certain to the digits shown, or of one trial.
 failed: trials that ended in an error; the figures are those of the others.
 ";
 

@@ -65,8 +65,7 @@ fn filter_names() -> impl TypedValueParser<Value = FilterName> {
         .try_map(|name| name.parse::<FilterName>())
 }
 
-/// By their names in files.
 fn conventions() -> impl TypedValueParser<Value = Convention> {
-    PossibleValuesParser::new(["sample", "disc", "mean", "trap"])
+    PossibleValuesParser::new(Convention::ALL.map(Convention::name))
         .try_map(|name| serde_json::from_value::<Convention>(name.into()))
 }

@@ -15,7 +15,7 @@ use crate::cli::workers::{Jobs, Threads};
 
 const HEADER: [&str; 7] = ["", "position, m", "angle, deg", "NEES/9", "90 % below, m", "repairs", "failed"];
 const LEGEND: &str = "
-Each figure ± its standard error; a figure alone is certain to the digits shown.
+Each figure ± its standard error; a figure alone is certain to the digits shown, or of one trial.
   position, angle  mean over trials of the root mean square error over time
   NEES/9           squared error in units of the claimed covariance; 1 where it is right
   90 % below       position error that nine tenths of the trials stay below

@@ -26,7 +26,7 @@ const HEADER: [&str; 11] = [
 const BOUNDS: [BoundKind; 3] =
     [BoundKind::LinearPosteriorCrb, BoundKind::PosteriorCrb, BoundKind::PosteriorCrbRaw];
 const LEGEND: &str = "\
-Each figure ± its standard error; a figure alone is certain to the digits shown.
+Each figure ± its standard error; a figure alone is certain to the digits shown, or of one trial.
   RMSE Q          root mean square of ||Q_hat - Q||_F, Q_hat as reported; angle: of the rotation nearest to it
   /bound          ratio to posterior_crb, for ESKF raw to posterior_crb_raw
   RMSE/claimed Q  ratio to sqrt(tr P_q), what the estimator's own covariance claims; 1 where it is right

@@ -53,7 +53,8 @@ impl Limit {
     pub const EPSILON: Self = Self::from(0.0, 1e6, "");
     pub const HUBER_SCALE: Self = Self::above_zero(1e6, " standard deviations");
     pub const ENTRY: Self = Self::from(-1e6, 1e6, "");
-    pub const RATE: Self = Self::from(1e-3, 1e5, " Hz");
+    /// A sample is held for at most a minute (`inertial::filter::LONGEST_GAP`).
+    pub const RATE: Self = Self::from(0.02, 1e5, " Hz");
     pub const DENSITY: Self = Self::from(0.0, 1e6, "");
     pub const ACCELERATION: Self = Self::from(-1e6, 1e6, " m/s^2");
     pub const ACCELERATION_NOISE: Self = Self::from(0.0, 1e6, " m/s^2");

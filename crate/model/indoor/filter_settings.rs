@@ -151,7 +151,8 @@ pub enum FixCovariance {
     /// `sigma^2 I`, as in the paper.
     #[default]
     Isotropic,
-    /// What the geometry gives each transmitter, `sigma^2 (J^T J)^-1`.
+    /// What the geometry gives each transmitter by itself, `sigma^2 (J^T J)^-1`. The corners of a triangle that is fitted as
+    /// a whole depend on each other, which this leaves out: their nine coordinates have six degrees of freedom.
     Geometry,
 }
 

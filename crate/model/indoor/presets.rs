@@ -37,7 +37,7 @@ pub const INDOOR_PRESETS: [IndoorPreset; 9] = [
         name: "indoor-u",
         title: "A turn back",
         summary: "The paper's path U. Making R a rotation again after each prediction is all that EKFRie gains \
-                  over the EKF, a tenth of its error; integrating exactly gains six times as much.",
+                  over the EKF, a tenth of its error; integrating exactly leaves a sixth of EKFRie's.",
         build: || paper("indoor-u", IndoorPath::U),
     },
     IndoorPreset {

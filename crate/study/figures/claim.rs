@@ -57,7 +57,7 @@ pub enum Verdict {
     Holds,
     /// It is outside by as many.
     DoesNotHold,
-    /// It is too near to an end of the target, or there is none.
+    /// It is too near to an end of the target, there is none, or too few trials stand behind it.
     NotDecided,
 }
 
@@ -66,6 +66,12 @@ impl Claim {
     pub fn new(source: Source, what: impl Into<String>, found: Option<Estimate>, target: Interval) -> Self {
         let verdict = found.map_or(Verdict::NotDecided, |found| target.verdict(found));
         Self { what: what.into(), source, found, target, verdict }
+    }
+
+    /// The same where too few trials stand behind the number.
+    #[must_use]
+    pub(super) fn undecided(self) -> Self {
+        Self { verdict: Verdict::NotDecided, ..self }
     }
 }
 

@@ -16,6 +16,8 @@ use crate::study::moments::Estimate;
 const GROUPS: usize = 50;
 /// With fewer, the jackknife says too little.
 const LEAST_GROUPS: usize = 10;
+/// With fewer, a standard error says too little: of a single trial it would be zero.
+const LEAST_TRIALS: usize = 20;
 
 /// The sums of a study, in groups of blocks that come one after another.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,11 +53,8 @@ impl Groups {
         })
     }
 
-    /// For each group, all trials but its own; nothing where there are few groups.
+    /// For each group, all trials but its own.
     pub(super) fn without_each(&self) -> Vec<Sums> {
-        if self.sums.len() < LEAST_GROUPS {
-            return Vec::new();
-        }
         let mut after: Vec<Sums> = Vec::with_capacity(self.sums.len());
         for group in self.sums.iter().rev() {
             let mut sum = group.clone();
@@ -75,17 +74,23 @@ impl Groups {
 }
 
 /// The claims with the standard errors that come from those without each group. A claim that needs the trials of a group
-/// to have a number at all keeps its own.
-pub(super) fn jackknifed(claims: Vec<Claim>, without: &[Vec<Claim>]) -> Vec<Claim> {
+/// to have a number at all keeps its own standard error. Of few trials only what does not depend on them is decided: a
+/// ratio of bounds.
+pub(super) fn jackknifed(claims: Vec<Claim>, without: &[Vec<Claim>], trials: usize) -> Vec<Claim> {
     let each = claims.into_iter().enumerate();
     each.map(|(i, claim)| {
         let values: Option<Vec<f64>> = without.iter().map(|claims| Some(claims[i].found?.value)).collect();
-        let values = values.filter(|values| values.len() >= LEAST_GROUPS);
-        let found = claim
-            .found
-            .zip(values)
-            .map(|(found, values)| Estimate { value: found.value, standard_error: spread(&values) });
-        Claim::new(claim.source, claim.what, found.or(claim.found), claim.target)
+        let Some((found, values)) = claim.found.zip(values.filter(|values| !values.is_empty())) else {
+            return if trials < LEAST_TRIALS { claim.undecided() } else { claim };
+        };
+        if values.iter().all(|value| value.to_bits() == found.value.to_bits()) {
+            return claim;
+        }
+        if values.len() >= LEAST_GROUPS {
+            let found = Estimate { standard_error: spread(&values), ..found };
+            return Claim::new(claim.source, claim.what, Some(found), claim.target);
+        }
+        if trials < LEAST_TRIALS { claim.undecided() } else { claim }
     })
     .collect()
 }

@@ -145,7 +145,8 @@ impl FigurePlan {
             let studies = self.studies_of(without.iter().map(|sums| sums[group].clone()))?;
             Ok((self.figure.claims)(&studies))
         });
-        let claims = jackknifed((self.figure.claims)(&studies), &claims_without.collect::<Result<Vec<_>>>()?);
+        let (claims, without) = ((self.figure.claims)(&studies), claims_without.collect::<Result<Vec<_>>>()?);
+        let claims = jackknifed(claims, &without, least_trials(&studies));
         Ok(self.with_claims(&studies, claims))
     }
 
@@ -157,7 +158,7 @@ impl FigurePlan {
 
     fn with_claims(&self, studies: &[Study], claims: Vec<Claim>) -> FigureReport {
         let Figure { name, title, statement, .. } = self.figure;
-        let trials = studies.iter().map(Study::trials).min().unwrap_or(0);
+        let trials = least_trials(studies);
         let named = self.names.iter().zip(&self.experiments).map(|(name, experiment)| NamedScenario {
             name: (*name).to_string(),
             scenario: experiment.scenario(),
@@ -190,6 +191,11 @@ impl FigurePlan {
         }
         Err(Error::Size { what: "jobs of a figure before this one", found: index, expected: expected - 1 })
     }
+}
+
+/// Trials behind every number of some studies.
+fn least_trials(studies: &[Study]) -> usize {
+    studies.iter().map(Study::trials).min().unwrap_or(0)
 }
 
 impl FigureSum {

@@ -40,7 +40,7 @@ pub struct IndoorFilterReport {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(export))]
 pub struct IndoorSummary {
-    /// Trials that reached the end; the figures are theirs.
+    /// Trials that reached the end; the figures are theirs, and 0 where there are none.
     pub trials: usize,
     /// Trials in which the filter gave a typed error.
     pub failures: usize,
@@ -56,7 +56,7 @@ pub struct IndoorSummary {
     pub position_distribution: Vec<f64>,
     /// The same of the angle, rad.
     pub angle_distribution: Vec<f64>,
-    /// One entry a step; none in a sweep.
+    /// One entry a step; none in a sweep, and none where no trial reached the end.
     pub steps: Vec<IndoorStepSummary>,
 }
 

@@ -151,6 +151,7 @@ impl IndoorTally {
 
     /// The figures so far.
     pub fn summary(&self) -> IndoorSummary {
+        let steps: &[StepTally] = if self.position.is_empty() { &[] } else { &self.steps };
         IndoorSummary {
             trials: self.position.len(),
             failures: self.failures,
@@ -160,7 +161,7 @@ impl IndoorTally {
             repairs: self.repairs.mean(),
             position_distribution: sorted(&self.position),
             angle_distribution: sorted(&self.angle),
-            steps: self.steps.iter().map(StepTally::summary).collect(),
+            steps: steps.iter().map(StepTally::summary).collect(),
         }
     }
 

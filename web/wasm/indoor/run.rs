@@ -8,7 +8,7 @@ use rangelab_wasm_shared::{Named, json, padded};
 use wasm_bindgen::prelude::*;
 
 /// What the filters made of one trial: K steps, M beacons, N = 3 transmitters, matrices row by row. Filters are numbered
-/// as in [`IndoorTrial::filters`]. NaN stands where there is no number: steps after a failure, and without a fix the NIS.
+/// as in [`IndoorTrial::filters`]. NaN stands where there is no number: steps after a failure.
 #[wasm_bindgen]
 pub struct IndoorTrial {
     run: IndoorRun,
@@ -25,11 +25,6 @@ impl IndoorTrial {
     /// Positions of the beacons, m: M x 3.
     pub fn beacons(&self) -> Vec<f64> {
         self.run.beacons.concat()
-    }
-
-    /// Positions of the transmitters in the body frame, m: N x 3.
-    pub fn transmitters(&self) -> Vec<f64> {
-        self.run.transmitters.concat()
     }
 
     /// 1 where a range was measured at the end of a step, else 0: K x M x N.
@@ -83,9 +78,19 @@ impl IndoorTrial {
         self.number(filter, |step| step.nees)
     }
 
-    /// Normalized innovations squared over their degrees of freedom: K.
-    pub fn nis(&self, filter: usize) -> Vec<f64> {
-        self.number(filter, |step| step.nis.unwrap_or(f64::NAN))
+    /// Root mean square distance to the truth over the steps, m; 0 without any.
+    pub fn rms_position_error(&self, filter: usize) -> f64 {
+        self.filter(filter).rms_position_error()
+    }
+
+    /// Root mean square geodesic angle to the truth over the steps, rad; 0 without any.
+    pub fn rms_angle_error(&self, filter: usize) -> f64 {
+        self.filter(filter).rms_angle_error()
+    }
+
+    /// Mean NEES over its 9 degrees of freedom; 0 without steps.
+    pub fn mean_nees(&self, filter: usize) -> f64 {
+        self.filter(filter).mean_nees()
     }
 
     /// Singular values of `R`, decreasing, all 1 for a rotation: K x 3.

@@ -1,4 +1,6 @@
 //! What \[I\] says of the distribution of the errors on the bridge, and what rangelab adds.
+//!
+//! "Better" is less than the other; where numbers are printed, whose ratios are 0.42 and 0.46, at most a half.
 
 use alloc::format;
 use alloc::vec::Vec;

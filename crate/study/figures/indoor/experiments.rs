@@ -3,9 +3,10 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use crate::model::imu::Convention;
+use crate::math::float::sqrt;
+use crate::model::imu::{Convention, STANDARD_GRAVITY};
 use crate::model::indoor::filter_settings::FilterName::{
-    self, Ekf, EkfRetraction, EkfRie, Mekf, Ukf, UkfRie,
+    self, Ekf, EkfFull, EkfRetraction, EkfRie, Mekf, Ukf, UkfRie,
 };
 use crate::model::indoor::filter_settings::{
     FrontEndKind, InputNoiseWeights, Retraction, TransmitterChoice, Transport,
@@ -19,8 +20,8 @@ type Experiments = Vec<(&'static str, Experiment)>;
 
 /// The filters of the paper.
 pub(super) const PAPER: [FilterName; 4] = [Ekf, EkfRie, Ukf, UkfRie];
-/// Those that are drawn: the paper's and, beside them, the yardstick.
-pub(super) const DRAWN: [FilterName; 5] = [Ekf, EkfRie, Ukf, UkfRie, Mekf];
+/// The paper's and, beside them, the yardstick.
+const WITH_YARDSTICK: [FilterName; 5] = [Ekf, EkfRie, Ukf, UkfRie, Mekf];
 
 /// Where the sweeps of Fig. 4 are.
 pub(super) const REST: usize = 0;
@@ -33,19 +34,24 @@ pub(super) const STAIR: usize = 1;
 pub(super) const U_ISOSCELES: usize = 2;
 pub(super) const U_MATCHED: usize = 3;
 pub(super) const STAIR_MATCHED: usize = 4;
-/// Where those are that are for claims of Fig. 5 alone.
+/// Where those are that are for claims alone: first those of both figures,
 pub(super) const ZIGZAG: usize = 5;
 pub(super) const BRIDGE: usize = 6;
-pub(super) const BRIDGE_MATCHED: usize = 7;
-pub(super) const U_SINGLE: usize = 8;
-pub(super) const U_MATCHED_SINGLE: usize = 9;
-pub(super) const STAIR_SINGLE: usize = 10;
-pub(super) const U_PRINTED: usize = 11;
-pub(super) const U_PRINTED_UNSURE: usize = 12;
-pub(super) const U_CONGRUENCE: usize = 13;
-/// Where those are that are for claims of Fig. 6 alone.
-pub(super) const TUMBLE: usize = 5;
-pub(super) const U_EXPONENTIAL: usize = 6;
+pub(super) const TUMBLE: usize = 7;
+pub(super) const U_EXPONENTIAL: usize = 8;
+pub(super) const U_MATCHED_EXPONENTIAL: usize = 9;
+pub(super) const TUMBLE_EXPONENTIAL: usize = 10;
+/// then those of Fig. 5.
+pub(super) const BRIDGE_MATCHED: usize = 11;
+pub(super) const U_SINGLE: usize = 12;
+pub(super) const U_MATCHED_SINGLE: usize = 13;
+pub(super) const STAIR_SINGLE: usize = 14;
+pub(super) const U_PRINTED: usize = 15;
+pub(super) const U_PRINTED_UNSURE: usize = 16;
+pub(super) const U_CONGRUENCE: usize = 17;
+pub(super) const U_FULL: usize = 18;
+pub(super) const STAIR_PRINTED_NOISE: usize = 19;
+pub(super) const BRIDGE_GRAVITY: usize = 20;
 
 /// Where those of Fig. 7 to 9 are.
 pub(super) const SAMPLED: usize = 0;
@@ -61,18 +67,17 @@ pub(super) const COARSE_DB: f64 = 10.0;
 
 pub(super) fn figure_4() -> Experiments {
     vec![
-        ("at rest", over_noise("indoor-static", &DRAWN, |_| ())),
+        ("at rest", over_noise("indoor-static", &WITH_YARDSTICK, |_| ())),
         ("at rest, Iso", over_noise("indoor-static", &PAPER, isosceles)),
         ("at rest, weights squared", at_20_db("indoor-static", &[Ukf], squared)),
     ]
 }
 
-/// Fig. 5: beside what is drawn the other paths, one transmitter instead of three, and the transport as printed.
+/// Fig. 5: beside what both have one transmitter instead of three, the transport and the noise as printed, what the UKF
+/// comes to, and gravity.
 pub(super) fn figure_5() -> Experiments {
-    let mut experiments = drawn();
+    let mut experiments = figure_6();
     experiments.extend([
-        ("zigzag", over_noise("indoor-zigzag", &PAPER, |_| ())),
-        ("bridge", over_noise("indoor-bridge", &PAPER, |_| ())),
         ("bridge, matched", over_noise("indoor-bridge", &PAPER, matched)),
         ("U, one transmitter", at_20_db("indoor-u", &[EkfRie], single)),
         ("U, matched, one transmitter", at_20_db("indoor-u", &[EkfRie], matched_single)),
@@ -80,16 +85,23 @@ pub(super) fn figure_5() -> Experiments {
         ("U, transport as printed, P0 1e-4", at_20_db("indoor-u", &[UkfRie], |it| printed(it, 1e-4))),
         ("U, transport as printed, P0 1", at_20_db("indoor-u", &[EkfRie, Mekf], |it| printed(it, 1.0))),
         ("U, P0 1e-4", at_20_db("indoor-u", &[UkfRie], |it| prior(it, 1e-4))),
+        ("U, full Jacobian", at_20_db("indoor-u", &[EkfFull, Ukf], |_| ())),
+        ("stair, sigma_a^2 as printed", at_20_db("indoor-stair", &[Ekf, EkfRie], printed_noise)),
+        ("bridge, gravity", at_20_db("indoor-bridge", &[Ekf, EkfRie, Mekf], gravity)),
     ]);
     experiments
 }
 
-/// Fig. 6: beside what is drawn turns about three axes, and the exponential map.
+/// Fig. 6: beside what is drawn the other paths, turns about three axes, and the exponential map.
 pub(super) fn figure_6() -> Experiments {
     let mut experiments = drawn();
     experiments.extend([
+        ("zigzag", over_noise("indoor-zigzag", &PAPER, |_| ())),
+        ("bridge", over_noise("indoor-bridge", &PAPER, |_| ())),
         ("tumble", at_20_db("indoor-tumble", &PAPER, |_| ())),
         ("U, exponential map", at_20_db("indoor-u", &[EkfRie], exponential)),
+        ("U, matched, exponential map", at_20_db("indoor-u", &[EkfRie], matched_exponential)),
+        ("tumble, exponential map", at_20_db("indoor-tumble", &[EkfRie], exponential)),
     ]);
     experiments
 }
@@ -105,7 +117,7 @@ pub(super) fn figure_8() -> Experiments {
 pub(super) fn figure_9() -> Experiments {
     let noises = vec![FINE_DB, COARSE_DB];
     let bridge = |change: fn(&mut IndoorScenario)| {
-        sweep(scenario("indoor-bridge", &DRAWN, change), Swept::Accuracy, noises.clone())
+        sweep(scenario("indoor-bridge", &WITH_YARDSTICK, change), Swept::Accuracy, noises.clone())
     };
     vec![("bridge", bridge(|_| ())), ("bridge, matched", bridge(matched))]
 }
@@ -123,7 +135,8 @@ fn drawn() -> Experiments {
 
 fn over_rates(accuracy_db: f64) -> Experiments {
     let at_rates = |change: fn(&mut IndoorScenario)| {
-        let scenario = IndoorSweep::new(scenario("indoor-u", &DRAWN, change), Swept::Accuracy, Vec::new());
+        let scenario =
+            IndoorSweep::new(scenario("indoor-u", &WITH_YARDSTICK, change), Swept::Accuracy, Vec::new());
         sweep(scenario.at(accuracy_db), Swept::ImuRate, RATES_HZ.to_vec())
     };
     vec![("U", at_rates(|_| ())), ("U, matched", at_rates(matched))]
@@ -180,6 +193,20 @@ fn squared(scenario: &mut IndoorScenario) {
 
 fn exponential(scenario: &mut IndoorScenario) {
     scenario.filters.retraction = Retraction::Exponential;
+}
+
+fn matched_exponential(scenario: &mut IndoorScenario) {
+    matched(scenario);
+    exponential(scenario);
+}
+
+/// The variance that \[I\] prints is ten times that of its data sheet at its rate, 10 Hz.
+fn printed_noise(scenario: &mut IndoorScenario) {
+    scenario.imu.accelerometer_density_micro_g *= sqrt(10.0);
+}
+
+fn gravity(scenario: &mut IndoorScenario) {
+    scenario.imu.gravity = STANDARD_GRAVITY;
 }
 
 fn prior(scenario: &mut IndoorScenario, variance: f64) {

@@ -33,8 +33,8 @@ pub(super) const FIGURE_5: Figure = Figure {
     number: "5",
     title: "RMSE of the position over the accuracy of the ranges",
     statement: "EKFRie and UKFRie are better than EKF and UKF on all paths and at all noises, at 20 dB 0.12 and 0.10 m \
-                beside 0.36 and 0.43 m on the path U, 0.05 and 0.05 m beside 0.24 and 0.29 m on the stairs; Iso helps the \
-                ranging and not the filters; averaging three receivers gains less (3000 trials).",
+                beside 0.36 and 0.43 m on the path U, 0.05 and 0.05 m beside 0.24 and 0.29 m on the stairs; Iso does not \
+                help the filters; averaging three receivers gains less (3000 trials).",
     trials: 100,
     experiments: experiments::figure_5,
     panels: panels::figure_5,
@@ -79,7 +79,7 @@ pub(super) const FIGURE_9: Figure = Figure {
     paper: Paper::Indoor,
     number: "9",
     title: "Distribution of the RMSE of the position on the bridge",
-    statement: "at sigma^2 = 1e-3 m^2 nine tenths of the trials are below 0.22 m for EKFRie and 0.27 m for UKFRie, 0.52 m for \
+    statement: "EKFRie and UKFRie are better than EKF and UKF at both noises: at sigma^2 = 1e-3 m^2 nine tenths of the trials are below 0.22 m for EKFRie and 0.27 m for UKFRie, 0.52 m for \
                 EKF and 0.59 m for UKF (3000 trials).",
     trials: 1000,
     experiments: experiments::figure_9,

@@ -5,7 +5,7 @@ use alloc::string::ToString;
 use alloc::vec::Vec;
 
 use super::experiments::{
-    COARSE_DB, DRAWN, FINE_DB, MATCHED, REST, REST_ISOSCELES, SAMPLED, STAIR, STAIR_MATCHED, U, U_ISOSCELES,
+    COARSE_DB, FINE_DB, MATCHED, REST, REST_ISOSCELES, SAMPLED, STAIR, STAIR_MATCHED, U, U_ISOSCELES,
     U_MATCHED,
 };
 use super::reading::{ANGLE, POSITION, Read, Reading};
@@ -75,19 +75,19 @@ pub(super) fn rates(studies: &[Study]) -> Vec<Panel> {
 
 fn panel(studies: &[Study], (index, name, title): &Place, quantity: &Quantity, x: Axis) -> Panel {
     let sweep = Reading::of(studies, *index);
-    let curve = |name: &FilterName| {
+    let curve = |name: FilterName| {
         let point = |(x, summary): (f64, &IndoorSummary)| {
             let IndoorSummary { trials, failures, .. } = *summary;
             Point { x, y: (quantity.read)(summary), trials, failures, reflections: None }
         };
-        estimator(*name, sweep.of_filter(*name).map(point).collect())
+        estimator(name, sweep.of_filter(name).map(point).collect())
     };
     Panel {
         name: format!("{}-{name}", quantity.name),
         title: (*title).to_string(),
         x,
         y: (quantity.axis)(),
-        curves: DRAWN.iter().filter_map(curve).collect(),
+        curves: sweep.filters().filter_map(curve).collect(),
     }
 }
 
@@ -119,12 +119,9 @@ const PLACES: u32 = 80;
 
 /// How many trials stay below each of the same places for all filters.
 fn distributions(sweep: Reading<'_>, decibels: f64) -> Vec<Curve> {
-    let found: Vec<(FilterName, &IndoorSummary)> = DRAWN
-        .iter()
-        .filter_map(|name| {
-            Some((*name, sweep.of_filter(*name).find(|(x, _)| x.to_bits() == decibels.to_bits())?.1))
-        })
-        .collect();
+    let at = |name| sweep.of_filter(name).find(|(x, _)| x.to_bits() == decibels.to_bits());
+    let found: Vec<(FilterName, &IndoorSummary)> =
+        sweep.filters().filter_map(|name| Some((name, at(name)?.1))).collect();
     let largest = found.iter().filter_map(|(_, summary)| summary.position_distribution.last().copied());
     let largest = largest.fold(0.0, f64::max);
     let curve = |(name, summary): &(FilterName, &IndoorSummary)| {
@@ -134,11 +131,11 @@ fn distributions(sweep: Reading<'_>, decibels: f64) -> Vec<Curve> {
     found.iter().filter_map(curve).collect()
 }
 
-/// The share of the trials up to `x`, with the standard error of a share.
+/// The share of the trials up to `x`, with the standard error of a share; a trial that failed is up to none.
 fn share(summary: &IndoorSummary, x: f64) -> Point {
     let IndoorSummary { trials, failures, .. } = *summary;
     let below = summary.position_distribution.partition_point(|error| *error <= x);
-    let value = below as f64 / trials as f64;
-    let standard_error = sqrt(value * (1.0 - value) / trials as f64);
+    let value = below as f64 / (trials + failures) as f64;
+    let standard_error = sqrt(value * (1.0 - value) / (trials + failures) as f64);
     Point { x, y: Estimate { value, standard_error }, trials, failures, reflections: None }
 }

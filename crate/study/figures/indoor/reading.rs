@@ -38,6 +38,11 @@ impl<'a> Reading<'a> {
         &self.0.points
     }
 
+    /// The filters that ran.
+    pub(super) fn filters(self) -> impl Iterator<Item = FilterName> {
+        self.0.filters.iter().map(|filter| filter.name)
+    }
+
     /// The summaries of a filter with their points, where there were trials.
     pub(super) fn of_filter(self, name: FilterName) -> impl Iterator<Item = (f64, &'a IndoorSummary)> {
         let filter = self.0.filters.iter().filter(move |filter| filter.name == name);
@@ -45,10 +50,10 @@ impl<'a> Reading<'a> {
         summaries.filter(|(_, summary)| summary.trials > 0)
     }
 
-    /// A figure of a filter at a point.
+    /// A figure of a filter at a point; `None` where a trial failed, for what is left are the trials that went well.
     pub(super) fn at(self, name: FilterName, point: f64, read: Read) -> Option<Estimate> {
         let mut found = self.of_filter(name).filter(|(own, _)| own.to_bits() == point.to_bits());
-        found.next().map(|(_, summary)| read(summary))
+        found.next().filter(|(_, summary)| summary.failures == 0).map(|(_, summary)| read(summary))
     }
 
     /// Ratio of two filters at a point.
@@ -61,7 +66,7 @@ impl<'a> Reading<'a> {
         self.most(|point| self.versus(a, b, point, read))
     }
 
-    /// The point at which a figure is largest, and the figure.
+    /// The point at which a figure is largest, and the figure: none if it is missing at some point.
     pub(super) fn most(self, figure: impl Fn(f64) -> Option<Estimate>) -> (f64, Option<Estimate>) {
         let points = self.points();
         let (index, found) = extreme::most(points.len(), |i| figure(points[i]));

@@ -25,7 +25,7 @@ pub(super) fn figure_4(studies: &[Study]) -> Vec<Claim> {
         claims.push(paper(at_worst(&name, point), found, ALIGNED));
         let (point, found) = rest.most(|point| spread(&[rest, isosceles], point, read));
         let name = alloc::format!("{what}: the same, with Iso too");
-        claims.push(paper(at_worst(&name, point), found, Interval::most(1.03)));
+        claims.push(paper(at_worst(&name, point), found, ALIGNED));
     }
     let fall = |from, to| Some(minus(rest.at(Ekf, from, POSITION)?, rest.at(Ekf, to, POSITION)?));
     let found = fall(0.0, 20.0).zip(fall(20.0, 40.0)).and_then(|(first, second)| first.over(second));

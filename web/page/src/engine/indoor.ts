@@ -22,8 +22,8 @@ export interface FilterRun extends PoseTrack {
   readonly positionErrors: Float64Array;
   /** Normalized estimation errors squared over their 9 degrees of freedom. */
   readonly nees: Float64Array;
-  /** Normalized innovations squared over their degrees of freedom; NaN without a fix. */
-  readonly nis: Float64Array;
+  /** Over the steps: root mean square errors (m, rad), and the mean NEES over its degrees of freedom. */
+  readonly overall: { readonly position: number; readonly angle: number; readonly nees: number };
   /** K x 3, decreasing; all 1 where `R` is a rotation. */
   readonly singularValues: Float64Array;
   /** K x 3 x 3, square metres. */
@@ -105,7 +105,11 @@ function decodeFilter(
     orientationErrors: run.orientation_errors(index),
     positionErrors: run.position_errors(index),
     nees: run.nees(index),
-    nis: run.nis(index),
+    overall: {
+      position: run.rms_position_error(index),
+      angle: run.rms_angle_error(index),
+      nees: run.mean_nees(index),
+    },
     singularValues: run.singular_values(index),
     positionCovariances: run.position_covariances(index),
     rotationCovariances: run.rotation_covariances(index),

@@ -1,4 +1,5 @@
 import { DEGREES_PER_RADIAN } from "../../controls/format";
+import type { IndoorFilterReport } from "../../generated/IndoorFilterReport";
 import type { IndoorReport } from "../../generated/IndoorReport";
 import type { IndoorSummary } from "../../generated/IndoorSummary";
 import type { PlotAxis, PlotLine, PlotSpec } from "../../plots/spec";
@@ -44,7 +45,7 @@ function plot(
     x,
     lines: filters.map(({ name: filter }, index): PlotLine => ({
       ...lineLook(filter),
-      ...shares(errors[index], values),
+      ...shares(errors[index], values, trialsOf(filters[index])),
     })),
   };
 }
@@ -56,16 +57,22 @@ function placesOf(errors: readonly (readonly number[])[]): Float64Array {
   return Float64Array.from(all.filter((_, index) => index % step === 0 || index === all.length - 1));
 }
 
-/** The share of increasing errors that are no larger, in per cent, with the standard error of a share. */
+/** All trials of a filter: one that failed stays below no error, so that its curve does not reach the top. */
+function trialsOf({ summary }: IndoorFilterReport): number {
+  return summary.trials + summary.failures;
+}
+
+/** The share of the trials with an error no larger, in per cent, with the standard error of a share. */
 export function shares(
   errors: readonly number[],
   places: Float64Array,
+  trials: number,
 ): Pick<PlotLine, "values" | "standardErrors"> {
   let count = 0;
   const values = places.map((place) => {
     while (count < errors.length && errors[count] <= place) count += 1;
-    return (100 * count) / errors.length;
+    return (100 * count) / trials;
   });
-  const standardErrors = values.map((share) => Math.sqrt((share * (100 - share)) / errors.length));
+  const standardErrors = values.map((share) => Math.sqrt((share * (100 - share)) / trials));
   return { values, standardErrors };
 }

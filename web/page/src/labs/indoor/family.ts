@@ -28,8 +28,9 @@ export const indoor: Family<IndoorScenario> = {
   },
 };
 
-/** To the document no beacons mean four, at corners around its path. */
+/** To the document no beacons mean four, at corners around its path. A scenario that is refused anyway stays as it is. */
 export function withDefaultBeacons(scenario: IndoorScenario): IndoorScenario {
-  const { beacons } = completeIndoor({ ...scenario, beacons: [] });
-  return { ...scenario, beacons };
+  const without = { ...scenario, beacons: [] };
+  if (validateIndoor(without).length > 0) return scenario;
+  return { ...scenario, beacons: completeIndoor(without).beacons };
 }

@@ -4,12 +4,12 @@ import { loadEngineForTests } from "../../engine/testing";
 import type { FilterName } from "../../generated/FilterName";
 import type { IndoorScenario } from "../../generated/IndoorScenario";
 import { shares } from "./distribution";
-import { indoor } from "./family";
+import { indoor, withDefaultBeacons } from "./family";
 import { FILTERS, ORDER, SHOWN_FIRST } from "./filters";
 import { type Level, lessons } from "./lessons";
 import { plots } from "./plots";
 import { runReadings, stepReadings, studyReadings } from "./readings";
-import { presetOf, rootMeanSquare, runOf } from "./run";
+import { presetOf, runOf } from "./run";
 import { study } from "./study";
 import { describe as told, verdict } from "./verdict";
 
@@ -66,7 +66,8 @@ describe("a run", () => {
     const [last, whole] = [stepReadings(run, run.steps - 1), runReadings(run)];
     run.filters.forEach((filter, index) => {
       expect(last[index].numbers?.position).toBe(filter.positionErrors.at(-1));
-      expect(whole[index].numbers?.position).toBe(rootMeanSquare(filter.positionErrors));
+      const squares = filter.positionErrors.reduce((sum, error) => sum + error * error, 0);
+      expect(whole[index].numbers?.position).toBeCloseTo(Math.sqrt(squares / run.steps), 12);
     });
   });
 
@@ -141,10 +142,24 @@ describe("the study", () => {
     expect(verdict(report, "sample")).toMatch(/^Mean over 20 trials, ±\d\.\d+ % at most\. .*R has grown/);
   });
 
+  test("a filter that fails in a third of the trials stays below the top", () => {
+    const { values } = shares([1, 2], Float64Array.of(1, 2), 3);
+    expect([...values].map(Math.round)).toEqual([33, 67]);
+  });
+
   test("shares are counted with the standard errors of shares", () => {
-    const { values, standardErrors } = shares([1, 2, 2, 4], Float64Array.of(0.5, 1, 2, 4));
+    const { values, standardErrors } = shares([1, 2, 2, 4], Float64Array.of(0.5, 1, 2, 4), 4);
     expect([...values]).toEqual([0, 25, 75, 100]);
     expect(standardErrors![1]).toBeCloseTo(100 * Math.sqrt((0.25 * 0.75) / 4), 12);
     expect([standardErrors![0], standardErrors![3]]).toEqual([0, 0]);
   });
+});
+
+test("another path brings its beacons, and one that is too long for the IMU is left to be refused", () => {
+  const scenario = presetOf("indoor-u");
+  const onBridge = withDefaultBeacons({ ...scenario, path: "bridge" });
+  expect(onBridge.beacons).toEqual(presetOf("indoor-bridge").beacons);
+  const tooLong = { ...scenario, path: "stair" as const, imu: { ...scenario.imu, rate_hz: 200 } };
+  expect(withDefaultBeacons(tooLong)).toBe(tooLong);
+  expect(indoor.validate(tooLong)).not.toEqual([]);
 });

@@ -1,7 +1,7 @@
 import type { IndoorReport } from "../../generated/IndoorReport";
 import { filterOf } from "./filters";
 import type { Level } from "./lessons";
-import { type IndoorRun, rootMeanSquare, stretchAt } from "./run";
+import { type IndoorRun, stretchAt } from "./run";
 
 /** Of one run; filters that stopped are left out. */
 export function levelsOfRun(run: IndoorRun): Level[] {
@@ -10,10 +10,8 @@ export function levelsOfRun(run: IndoorRun): Level[] {
     .map((filter) => ({
       name: filter.name,
       label: filterOf(filter.name).label,
-      position: rootMeanSquare(filter.positionErrors),
-      angle: rootMeanSquare(filter.orientationErrors),
+      ...filter.overall,
       stretch: stretchAt(filter, run.steps - 1),
-      nees: filter.nees.reduce((sum, value) => sum + value, 0) / run.steps,
     }));
 }
 

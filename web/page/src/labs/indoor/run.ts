@@ -24,12 +24,6 @@ export function presetOf(name: string): IndoorScenario {
   return { ...scenario, filters: { ...scenario.filters, enabled: [...SHOWN_FIRST] } };
 }
 
-/** Root mean square over the run, up to where the filter stopped. */
-export function rootMeanSquare(errors: Float64Array): number {
-  const there = errors.filter(Number.isFinite);
-  return Math.sqrt(there.reduce((sum, error) => sum + error * error, 0) / there.length);
-}
-
 /** The largest singular value of a filter's `R` at a step. */
 export function stretchAt({ singularValues }: FilterRun, step: number): number {
   return singularValues[3 * step];

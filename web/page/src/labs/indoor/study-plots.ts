@@ -11,7 +11,8 @@ import { bandsFor, CONSISTENCY, ORIENTATION, PLAIN, POSITION, STRETCH, stretchLi
 /** The plots of one run as averages over trials, and how the errors of the trials are distributed. */
 export function studyPlots(report: IndoorReport): PlotSpec[] {
   const common = { ...PLAIN, x: timeAxis(Float64Array.from(report.times)) };
-  const { filters, trials } = report;
+  const { trials } = report;
+  const filters = report.filters.filter(({ summary }) => summary.trials > 0);
   return [
     { ...common, ...POSITION, title: "Position RMSE", lines: linesOf(filters, (step) => step.position) },
     {
