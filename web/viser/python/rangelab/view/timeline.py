@@ -5,7 +5,7 @@ from collections.abc import Callable
 
 import viser
 
-from .handles import put
+from .values import put
 
 
 class Timeline:
@@ -18,7 +18,8 @@ class Timeline:
             self._slider = server.gui.add_slider("step", 0, max(steps - 1, 1), 1, max(steps - 1, 0))
             self._buttons = server.gui.add_button_group("move", ("◀", "▶", "play", "pause"))
             self._speed = server.gui.add_number("steps a second", 10.0, min=0.5, max=60.0, step=0.5)
-            self.magnify = server.gui.add_number("errors drawn, times", 10.0, min=0.1, step=0.1)
+            self.magnify = server.gui.add_number("errors drawn, times", 10.0, min=0.1, step=1.0)
+            self.magnify.precision = 2
         self._slider.on_update(lambda _: changed())
         self.magnify.on_update(lambda _: changed())
         self._buttons.on_click(lambda event: self._press(event.target.value))
