@@ -26,6 +26,8 @@ POINT_SHAPES: dict[str, Literal["circle", "square", "diamond", "rounded", "spark
 }
 """The nearest that viser has to the page's marks."""
 MARK_PIXELS = 9.0
+OPACITY = 0.75
+"""Of a field; the page's are a little lower, on a renderer that blends in another way."""
 
 
 class Canvas:
@@ -122,7 +124,8 @@ def _glowing(field: Field, theme: Theme) -> trimesh.Trimesh:
     # Rows of a picture go down.
     picture = Image.fromarray(field_colours(field.values, theme)[::-1].round().astype(np.uint8))
     material = trimesh.visual.material.PBRMaterial(  # type: ignore[no-untyped-call]
-        baseColorFactor=(0, 0, 0, 255),
+        baseColorFactor=(0, 0, 0, round(255 * OPACITY)),
+        alphaMode="BLEND",
         emissiveTexture=picture,
         emissiveFactor=(1.0, 1.0, 1.0),
         doubleSided=True,

@@ -14,6 +14,7 @@ Dragged = Callable[[Change, str], None]
 """Told the edit, and the gesture it belongs to."""
 ARROWS = 0.11
 """Length of the arrows of a handle beside the scene."""
+ANYWHERE = (-1e9, 1e9)
 
 
 class Gizmos:
@@ -64,6 +65,7 @@ class Gizmos:
             disable_axes=not any(free),
             disable_sliders=not any(free),
             active_axes=(free[0], free[1], free[2]),
+            translation_limits=(ANYWHERE, ANYWHERE, ANYWHERE),
             depth_test=False,
             position=shapes.lifted(handle.place),
         )

@@ -47,10 +47,12 @@ class Stage:
             return
         flat = high[2] - low[2] <= UPRIGHT * size
         away = np.array([0.0, -0.15, 1.0]) if flat else np.array([0.25, -1.0, 0.75])
-        place = centre + 1.15 * size * away / np.linalg.norm(away)
+        place = centre + 0.85 * size * away / np.linalg.norm(away)
         initial = self._server.initial_camera
         initial.look_at, initial.position, initial.up = tuple(centre), tuple(place), (0.0, 0.0, 1.0)
+        initial.near, initial.far = 1e-3 * size, 1e2 * size
         for client in self._server.get_clients().values():
             with client.atomic():
                 client.camera.up_direction, client.camera.position = (0.0, 0.0, 1.0), place
                 client.camera.look_at = centre
+                client.camera.near, client.camera.far = initial.near, initial.far

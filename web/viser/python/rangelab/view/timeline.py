@@ -17,9 +17,10 @@ class Timeline:
         with server.gui.add_folder("Time"):
             self._slider = server.gui.add_slider("step", 0, max(steps - 1, 1), 1, max(steps - 1, 0))
             self._buttons = server.gui.add_button_group("move", ("◀", "▶", "play", "pause"))
-            self._speed = server.gui.add_number("steps a second", 10.0, min=0.5, max=60.0, step=0.5)
-            self.magnify = server.gui.add_number("errors drawn, times", 10.0, min=0.1, step=1.0)
+            self.magnify = server.gui.add_number("errors drawn, ×", 10.0, min=0.1, step=1.0)
             self.magnify.precision = 2
+            with server.gui.add_folder("Playing", expand_by_default=False):
+                self._speed = server.gui.add_number("steps a second", 10.0, min=0.5, max=60.0, step=0.5)
         self._slider.on_update(lambda _: changed())
         self.magnify.on_update(lambda _: changed())
         self._buttons.on_click(lambda event: self._press(event.target.value))

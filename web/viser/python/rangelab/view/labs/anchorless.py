@@ -34,7 +34,7 @@ class AnchorlessPicture:
     @property
     def name(self) -> str:
         """What people call it."""
-        return str(self.run.to_dict()["name"])
+        return self.run.name
 
     @property
     def times(self) -> Floats:

@@ -10,6 +10,10 @@ from ..plots import Line
 
 LARGEST_ERROR = 0.08
 """Share of the scene that the largest error is drawn as, at most."""
+VISIBLE_SHARE, DRAWN_SHARE = 0.08, 0.15
+"""A body smaller than the first share of the scene is too small to see and is drawn as large as the second."""
+WIDEST_RIM = 3.0
+"""How much wider than the last the first of many tracks is drawn, pixels."""
 
 
 def magnification(errors: list[Floats], extent: float, share: float = LARGEST_ERROR) -> float:
@@ -23,10 +27,21 @@ def magnification(errors: list[Floats], extent: float, share: float = LARGEST_ER
     return max(1.0, float(max(n * decade for n in (1, 2, 5) if n * decade <= wanted)))
 
 
+def body_scale(sensors: Floats, extent: float) -> float:
+    """How many times as large a body (N x D, m) is drawn, so that it is seen in a scene of this extent; at least 1."""
+    radius = max(float(np.linalg.norm(sensors, axis=1).max()), 1e-9)
+    share = radius / (extent / 2)
+    return 1.0 if share >= VISIBLE_SHARE else float(np.floor(DRAWN_SHARE / share))
+
+
+def scale_sentence(scale: float) -> list[str]:
+    """That a body is drawn larger than it is."""
+    return [] if scale == 1.0 else [f"The body is drawn {scale:.0f} times as large as it is."]
+
+
 def extent_of(points: Floats) -> float:
     """The longest edge of the box around points (P x D), m."""
-    known = points[np.isfinite(points).all(axis=1)]
-    return float(np.ptp(known, axis=0).max()) or 1.0 if len(known) else 1.0
+    return float(np.ptp(shapes.known(points), axis=0).max()) or 1.0
 
 
 def draw_truth(canvas: Canvas, orientations: Floats, positions: Floats, sensors: Floats, step: int) -> None:
@@ -53,7 +68,8 @@ def draw_ranges(canvas: Canvas, anchors: Floats, sensors: Floats, present: Flags
 
 def rims(count: int) -> list[float]:
     """How much wider each of several tracks is drawn than the last, pixels."""
-    return [0.6 * (count - 1 - index) for index in range(count)]
+    each = min(0.6, WIDEST_RIM / max(count - 1, 1))
+    return [each * (count - 1 - index) for index in range(count)]
 
 
 def lines_of(looks: dict[str, Look], values: dict[str, Floats], factor: float = 1.0) -> tuple[Line, ...]:

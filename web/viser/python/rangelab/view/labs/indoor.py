@@ -59,9 +59,19 @@ class IndoorPicture:
         errors = [each.position_errors for each in self.run.filters.values()]
         return min(10.0, drawing.magnification(errors, drawing.extent_of(self.outline), 0.3))
 
+    @property
+    def body(self) -> Floats:
+        """The transmitters as they are drawn, in the body frame, m: 3 x 3."""
+        return self.run.transmitters * self._scale
+
+    @property
+    def _scale(self) -> float:
+        return drawing.body_scale(self.run.transmitters, drawing.extent_of(self.outline))
+
     def sentences(self) -> list[str]:
         """Who stopped, and why."""
-        return [f"{each.label} stopped: {each.failure[1]}" for each in self.run.filters.values() if each.failure]
+        stopped = [f"{each.label} stopped: {each.failure[1]}" for each in self.run.filters.values() if each.failure]
+        return [*stopped, *drawing.scale_sentence(self._scale)]
 
     def handles(self) -> list[Handle]:
         """The beacons."""
@@ -86,12 +96,12 @@ class IndoorPicture:
     def draw(self, canvas: Canvas, step: int, magnify: float) -> None:
         """Track and body, estimates with their ellipsoids."""
         run, truth = self.run, self.run.truth_positions
-        drawing.draw_truth(canvas, run.truth_orientations, truth, run.transmitters, step)
+        drawing.draw_truth(canvas, run.truth_orientations, truth, self.body, step)
         for (name, each), rim in zip(run.filters.items(), drawing.rims(len(run.filters)), strict=True):
             look, positions = FILTERS[name], shapes.magnified(each.positions, truth, magnify)
             drawing.draw_track(canvas, name, look, positions, step, rim)
             if np.isfinite(positions[step]).all():
-                corners = shapes.body(each.orientations[step], positions[step], run.transmitters)
+                corners = shapes.body(each.orientations[step], positions[step], self.body)
                 canvas.lines(f"/estimators/{name}/body", shapes.pairs(corners), look.token, 2.0)
                 covariance = each.position_covariances[step]
                 canvas.ellipsoid(f"/estimators/{name}/ellipsoid", covariance, positions[step], magnify, look.token)

@@ -58,6 +58,11 @@ class LocalizePicture:
         errors = list(self._errors("position").values())
         return min(10.0, drawing.magnification(errors, drawing.extent_of(self.outline), 0.2))
 
+    @property
+    def _scale(self) -> float:
+        assert isinstance(self.wish.source, Scenario)
+        return drawing.body_scale(self.wish.source.sensors, drawing.extent_of(self.outline))
+
     def sentences(self) -> list[str]:
         """Who failed, and who mirrors the body in how many trials."""
         told = [f"Each step is another trial, {len(self.run)} in all; dots are the other trials."]
@@ -69,7 +74,7 @@ class LocalizePicture:
             failures = [part["failure"] for part in parts if part["failure"]]
             if failures:
                 told.append(f"{each['label']} gave nothing in {len(failures)} trials: {failures[0]}")
-        return told
+        return [*told, *drawing.scale_sentence(self._scale)]
 
     def handles(self) -> list[Handle]:
         """Anchors and the body."""
@@ -93,7 +98,7 @@ class LocalizePicture:
         """The body, the estimates of one trial, the positions of all others as dots."""
         run = self.run[step]
         assert isinstance(self.wish.source, Scenario)
-        truth, sensors = run["truth"], self.wish.source.sensors
+        truth, sensors = run["truth"], self._scale * self.wish.source.sensors
         place, turned = np.array(truth["position"]), np.array(truth["orientation"])
         corners = shapes.body(turned, place, sensors)
         canvas.lines("/truth/body", shapes.pairs(shapes.lifted(corners)), "truth", 3.0)

@@ -52,11 +52,18 @@ class TrackPicture:
         errors = [each.position_errors[len(each.position_errors) // 2 :] for each in self.run.estimators.values()]
         return min(10.0, drawing.magnification(errors, drawing.extent_of(self.outline), 0.5))
 
+    @property
+    def body(self) -> Floats:
+        """The sensors as they are drawn, in the body frame, m: N x D."""
+        return self.run.sensors * drawing.body_scale(self.run.sensors, drawing.extent_of(self.outline))
+
     def sentences(self) -> list[str]:
         """What ranges do not show, who stopped and why, and what the colours of the field mean."""
         run = self.run
         stopped = [f"{each.label} stopped: {each.failure[1]}" for each in run.estimators.values() if each.failure]
-        return list(filter(None, [run.unseen or "", *stopped, self._field_sentence()]))
+        scale = drawing.body_scale(run.sensors, drawing.extent_of(self.outline))
+        told = [run.unseen or "", *stopped, self._field_sentence(), *drawing.scale_sentence(scale)]
+        return list(filter(None, told))
 
     def handles(self) -> list[Handle]:
         """Anchors, the body's start, obstacles; a recording has none."""
@@ -88,8 +95,8 @@ class TrackPicture:
         """Track, body, ranges, estimates with their ellipsoids, obstacles, the field."""
         run, truth = self.run, self.run.truth_positions
         if np.isfinite(truth).all():
-            drawing.draw_truth(canvas, run.truth_orientations, truth, run.sensors, step)
-            sensors = shapes.body(run.truth_orientations[step], truth[step], run.sensors)
+            drawing.draw_truth(canvas, run.truth_orientations, truth, self.body, step)
+            sensors = shapes.body(run.truth_orientations[step], truth[step], self.body)
             drawing.draw_ranges(canvas, run.anchors, sensors, run.present[step])
         for (name, each), rim in zip(run.estimators.items(), drawing.rims(len(run.estimators)), strict=True):
             self._draw_estimate(canvas, name, each, step, magnify, rim)
@@ -105,9 +112,9 @@ class TrackPicture:
         positions = shapes.magnified(each.positions, run.truth_positions, magnify)
         drawing.draw_track(canvas, name, look, positions, step, rim)
         events = shapes.lifted(positions[each.events])
-        canvas.marks(f"/estimators/{name}/events", events, look, 0.6)
+        canvas.marks(f"/estimators/{name}/events", events, look, 0.3)
         if np.isfinite(positions[step]).all():
-            corners = shapes.body(each.orientations[step], positions[step], run.sensors)
+            corners = shapes.body(each.orientations[step], positions[step], self.body)
             canvas.lines(f"/estimators/{name}/body", shapes.pairs(shapes.lifted(corners)), look.token, 2.0)
             covariance = each.position_covariances[step]
             canvas.ellipsoid(f"/estimators/{name}/ellipsoid", covariance, positions[step], magnify, look.token)
@@ -208,4 +215,5 @@ def _start(start: dict[str, Any]) -> Handle:
         np.array(start["position"]),
         lambda to, turned: lambda scenario: scenario.replace({"start.orientation": turned, "start.position": to}),
         orientation=np.array(start["orientation"]),
+        size=0.7,
     )
