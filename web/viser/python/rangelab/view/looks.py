@@ -21,7 +21,7 @@ TRACKERS = {
     "uc-kf": Look("UC-KF", "uc-kf", "triangle"),
     "et-kf": Look("ET-KF", "et-kf", "diamond"),
     "eskf": Look("ESKF", "eskf", "disc"),
-    "eskf-raw": Look("ESKF-raw", "eskf-raw", "cross"),
+    "eskf-raw": Look("ESKF raw", "eskf-raw", "cross"),
 }
 
 TRACK_BOUNDS = {
