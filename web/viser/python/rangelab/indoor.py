@@ -1,6 +1,7 @@
 """The Indoor lab: an IMU and three transmitters on a body, beacons in a room."""
 
 import json
+from collections.abc import Callable
 
 import numpy as np
 
@@ -125,7 +126,7 @@ class IndoorRun(RunReport[IndoorFilterRun]):
 
     def rows(self) -> list[Row]:
         """A row for each filter and step; NIS between fixes is NaN."""
-        columns = {
+        columns: dict[str, Callable[[IndoorFilterRun], Floats]] = {
             "position_error_m": lambda each: each.position_errors,
             "orientation_error_rad": lambda each: each.orientation_errors,
             "nees": lambda each: each.nees,

@@ -61,7 +61,10 @@ class FilePanel:
         themes = self._gui.add_dropdown("theme", tuple(THEMES), initial_value=theme)
         by_hand(themes, self._viewer.look)
         history = self._gui.add_button_group("edits", ("undo", "redo"))
-        history.on_click(lambda event: self._studio.undo() if event.target.value == "undo" else self._studio.redo())
+
+        @history.on_click
+        def _(event: viser.GuiEvent[viser.GuiButtonGroupHandle]) -> None:
+            _ = self._studio.undo() if event.target.value == "undo" else self._studio.redo()
 
     def _shown_as(self, title: str) -> None:
         name = next(name for name, lab in LABS.items() if lab.title == title)
@@ -74,7 +77,11 @@ class FilePanel:
             self._problem.content, self._problem.visible = f"**{error}**", True
 
     def _save_buttons(self) -> None:
-        for label, ending in (("one HTML file", ".html"), (".viser recording", ".viser"), ("the document, JSON", ".json")):
+        for label, ending in (
+            ("one HTML file", ".html"),
+            (".viser recording", ".viser"),
+            ("the document, JSON", ".json"),
+        ):
             button = self._gui.add_button(label)
 
             @button.on_click

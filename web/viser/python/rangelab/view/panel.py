@@ -156,7 +156,7 @@ class Panel:
         first: float,
         step: float = 0.1,
     ) -> None:
-        """A number that may be left out: a box, and the number where it is ticked; hidden where `read` says "hidden"."""
+        """A number that may be left out: a box, and the number where it is ticked; hidden where `read` says so."""
         box = self.gui.add_checkbox(label, False)
         number = self.gui.add_number(f"… {label}", first, step=step)
         number.precision = DIGITS

@@ -34,7 +34,9 @@ class Wish:
 
     def edited(self, change: Change) -> "Wish":
         """With an edited document."""
-        return replace(self, source=change(self.source))
+        source = change(self.source)
+        assert isinstance(source, Scenario | IndoorScenario | KinematicsScenario)
+        return replace(self, source=source)
 
 
 @dataclass(frozen=True)

@@ -87,7 +87,7 @@ def _series(plot: Plot, theme: Theme) -> tuple[uplot.Series, ...]:
         colour = theme.css(line.look.token)
         series: uplot.Series = {"label": line.look.label, "stroke": colour, "width": line.width * theme.weight}
         if line.look.dash:
-            series["dash"] = [theme.weight * part for part in line.look.dash]
+            series["dash"] = tuple(theme.weight * part for part in line.look.dash)
         if line.dots:
             series |= {"width": 0, "points": {"show": True, "size": 7 * theme.weight, "fill": colour}}
         lines.append(series)

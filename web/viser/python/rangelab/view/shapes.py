@@ -135,7 +135,11 @@ def box(low: Floats, high: Floats, *, flat: bool) -> tuple[Floats, np.ndarray, n
     roof[:, 2] = high[2]
     sides = [[[i, j, j + 4], [i, j + 4, i + 4]] for i, j in around]
     faces = np.concatenate([level, level + 4, np.array(sides).reshape(-1, 3)])
-    return np.concatenate([floor, roof]), faces, np.concatenate([around, around + 4, np.c_[np.arange(4), np.arange(4) + 4]])
+    return (
+        np.concatenate([floor, roof]),
+        faces,
+        np.concatenate([around, around + 4, np.c_[np.arange(4), np.arange(4) + 4]]),
+    )
 
 
 def divided(segments: Floats, parts: int) -> Floats:

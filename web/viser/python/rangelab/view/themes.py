@@ -1,4 +1,4 @@
-"""The page's themes: colours, and how much heavier lines are on a projector; a test holds them against its style sheet."""
+"""The page's themes: colours and weights of lines; a test holds them against its style sheet."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass

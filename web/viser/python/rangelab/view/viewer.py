@@ -2,6 +2,7 @@
 
 import threading
 from pathlib import Path
+
 import numpy as np
 import viser
 
@@ -160,7 +161,7 @@ class Viewer:
         self._lab = picture.wish.lab
         self._gizmos.clear()
         self._stage.frame(picture.outline, self._theme)
-        self._timeline.magnify.value = picture.magnification
+        self._timeline.magnify_by(picture.magnification)
         if self._tabs is not None:
             self._tabs.remove()
         panel = Panel(self._server, self._studio)
@@ -178,7 +179,7 @@ class Viewer:
             self._canvas.unit = extent
             self._gizmos.show(picture.handles(), extent)
             with self._canvas.drawing():
-                picture.draw(self._canvas, min(step, len(picture.times) - 1), float(self._timeline.magnify.value))
+                picture.draw(self._canvas, min(step, len(picture.times) - 1), self._timeline.magnification)
 
     def _say(self, picture: Picture) -> None:
         self._note.content = "\n\n".join([f"**{picture.name}**", *picture.sentences()])

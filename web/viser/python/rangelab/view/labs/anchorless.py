@@ -96,9 +96,7 @@ class AnchorlessPicture:
         crosses = [np.stack([now - size * axis, now + size * axis], axis=1) for axis in np.eye(3)]
         canvas.lines("/truth/nodes", np.concatenate(crosses), "truth", 3.0)
         self._draw_arrows(canvas)
-        for (name, each), rim in zip(
-            self.run.estimators.items(), drawing.rims(len(self.run.estimators)), strict=True
-        ):
+        for (name, each), rim in zip(self.run.estimators.items(), drawing.rims(len(self.run.estimators)), strict=True):
             errors = self._errors(each, step)
             if errors is None:
                 continue
@@ -123,12 +121,12 @@ class AnchorlessPicture:
         time = self.times[step]
         if len(each.coefficients):
             found = RelativeKinematics(each.coefficients).positions(time)[0]
-            return found - RelativeKinematics(self.run.truth).positions(time)[0]
+            return np.asarray(found - RelativeKinematics(self.run.truth).positions(time)[0])
         if not len(each.snapshots):
             return None
         nearest = int(np.abs(self.run.stamps - time).argmin())
         truth = RelativeKinematics(self.run.truth).positions(self.run.stamps[nearest])[0]
-        return each.snapshots[nearest] - (truth - truth.mean(axis=0))
+        return np.asarray(each.snapshots[nearest] - (truth - truth.mean(axis=0)))
 
     def _plot(self, title: str, lines: tuple[Line, ...]) -> Plot:
         return Plot(title, self.times, lines)
@@ -169,7 +167,7 @@ def _nodes(panel: Panel) -> None:
     chosen = Chosen(panel, "node", lambda document: [f"N{n + 1}" for n in range(len(document["coefficients"][0]))])
     for order, label in enumerate(("position, m", "velocity, m/s", "acceleration, m/s²")):
         chosen.vector(f"coefficients[{order}][#]", label, step=1.0 if order == 0 else 0.1)
-    chosen.act("Remove it", _without)
+    chosen.act("Remove the node", _without)
     panel.button("Add a node", lambda: panel.edit("node", _with_node))
 
 

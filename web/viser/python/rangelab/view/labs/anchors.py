@@ -23,7 +23,7 @@ def anchor_controls(panel: Panel) -> None:
     stays = chosen.gui.add_checkbox("stays where it is", False, hint="when the others are improved")
     by_hand(stays, lambda value: chosen.edit("stays", _staying(chosen.index, value)))
     chosen.on_follow(lambda document: put(stays, chosen.index in document["placement"]["fixed"]))
-    chosen.act("Remove it", _without)
+    chosen.act("Remove the anchor", _without)
     panel.button("Add an anchor", lambda: panel.edit("anchor", with_anchor(None)))
 
 
@@ -31,9 +31,16 @@ def with_anchor(place: list[float] | None) -> Change:
     """One more anchor, in the middle of the others where no place is given."""
 
     def change(scenario: Any) -> Any:
-        anchors = scenario.to_dict()["anchors"]
+        document = scenario.to_dict()
+        anchors, limits = document["anchors"], document["availability"]["max_ranges"]
         there = place or [float(f"{value:.3g}") for value in np.mean(anchors, axis=0)]
-        return scenario.replace(anchors=[*anchors, there], redraw_anchors=None)
+        return scenario.replace(
+            {
+                "anchors": [*anchors, there],
+                "redraw_anchors": None,
+                "availability.max_ranges": [*limits, None] if limits else [],
+            }
+        )
 
     return change
 

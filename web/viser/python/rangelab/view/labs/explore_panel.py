@@ -89,7 +89,7 @@ def _sensors(panel: Panel) -> None:
     """Where each sits, in the frame of the body."""
     chosen = Chosen(panel, "sensor", lambda document: [f"S{n + 1}" for n in range(len(document["sensors"]))])
     chosen.vector("sensors[#]", "position, m", step=0.05)
-    chosen.act("Remove it", _without_sensor)
+    chosen.act("Remove the sensor", _without_sensor)
     panel.button("Add a sensor", lambda: panel.edit("sensor", _with_sensor))
     panel.number("mounting_sigma", "mounting error σ_e, m", step=0.01, least=0.0)
 

@@ -181,7 +181,10 @@ def _front_end(panel: Panel) -> None:
 def _start(panel: Panel) -> None:
     kinds = (("isotropic", "full, c I"), ("tangent", "tangent"))
     panel.chooser(
-        "P₀ is", kinds, lambda found: found["start"]["prior"]["kind"], lambda kind: panel.put("start.prior", PRIORS[kind])
+        "P₀ is",
+        kinds,
+        lambda found: found["start"]["prior"]["kind"],
+        lambda kind: panel.put("start.prior", PRIORS[kind]),
     )
     panel.number("start.prior.variance", "variance P₀", step=1e-6, least=0.0)
     panel.number("start.prior.angle", "angle σ, deg", factor=DEGREES, step=0.5, least=0.0)
@@ -193,9 +196,14 @@ def _start(panel: Panel) -> None:
 def _beacons(panel: Panel) -> None:
     chosen = Chosen(panel, "beacon", lambda document: [f"B{m + 1}" for m in range(len(document["beacons"]))])
     chosen.vector("beacons[#]", "position, m", step=0.1)
-    chosen.act("Remove it", lambda index: lambda scenario: _with_beacons(scenario, lambda all: all[:index] + all[index + 1 :]))
+    chosen.act(
+        "Remove the beacon",
+        lambda index: lambda scenario: _with_beacons(scenario, lambda all: all[:index] + all[index + 1 :]),
+    )
     panel.button("Add a beacon", lambda: panel.edit("beacon", lambda scenario: _with_beacons(scenario, _one_more)))
-    panel.button("Put them around the path", lambda: panel.edit("around", lambda scenario: scenario.replace(beacons=[])))
+    panel.button(
+        "Put them around the path", lambda: panel.edit("around", lambda scenario: scenario.replace(beacons=[]))
+    )
 
 
 def _walking(path: str) -> Any:

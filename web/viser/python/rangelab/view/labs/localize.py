@@ -196,7 +196,10 @@ def localize_controls(panel: Panel) -> None:
         panel.choice("localize.manifold", "manifold", (("so", "SO(D)"), ("o", "O(D), the papers'")))
         losses = (("squared", "squared"), ("huber", "Huber"))
         panel.chooser(
-            "loss of ML", losses, lambda found: found["localize"]["loss"]["kind"], lambda kind: panel.put(LOSS, LOSSES[kind])
+            "loss of ML",
+            losses,
+            lambda found: found["localize"]["loss"]["kind"],
+            lambda kind: panel.put(LOSS, LOSSES[kind]),
         )
         panel.number("localize.loss.scale", "Huber scale, standard deviations", step=0.5, least=0.0)
         panel.switch("localize.multi_start", "search again from more starts")

@@ -73,7 +73,7 @@ def mesh_of(obstacle: Document, d: int, heights: tuple[float, float]) -> tuple[F
 
 
 def names_of(document: Document) -> list[str]:
-    """"Wall 1", "Box 2": by their number in the scenario."""
+    """ "Wall 1", "Box 2": by their number in the scenario."""
     kinds = [obstacle["kind"] for obstacle in document["availability"]["obstacles"]]
     return [f"{'Wall' if kind == 'wall' else 'Box'} {i + 1}" for i, kind in enumerate(kinds)]
 
@@ -85,7 +85,7 @@ def obstacle_controls(panel: Panel) -> None:
         chosen.vector(f"{PATH}[#].{key}", label)
     for key, first in (("bottom", 0.0), ("top", 2.0)):
         chosen.optional_value(f"{PATH}[#].{key}", f"{key}, m", first=first)
-    chosen.act("Remove it", _removed)
+    chosen.act("Remove the obstacle", _removed)
     panel.button("Add a wall", lambda: panel.edit("wall", _added("wall")))
     panel.button("Add a box", lambda: panel.edit("box", _added("box")))
 

@@ -11,6 +11,7 @@ import numpy as np
 from ..._core import Error
 from ...scenario import Scenario
 from ..panel import Panel
+from ..values import put
 from .anchors import with_anchor
 
 Improved = tuple[Scenario, dict[str, Any]]
@@ -107,7 +108,7 @@ def placement_controls(panel: Panel) -> None:
     bar = panel.gui.add_progress_bar(0.0)
 
     def told(share: float, sentence: str) -> None:
-        bar.value = 100 * share
+        put(bar, 100 * share)
         said.content = sentence
 
     search = Search(told)

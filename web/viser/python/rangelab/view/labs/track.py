@@ -1,6 +1,7 @@
 """A rigid body tracked through time: estimators side by side with their bounds, and the bound over a plane."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from dataclasses import field as entry
 from typing import Any
 
 import numpy as np
@@ -28,7 +29,7 @@ class TrackPicture:
     wish: Wish
     run: Run
     field: Field | None
-    document: dict[str, Any] = field(default_factory=dict)
+    document: dict[str, Any] = entry(default_factory=dict)
     """The scenario; empty where the run is one of a recording."""
 
     @property
