@@ -62,7 +62,7 @@ class AnchorlessPicture:
         """What gave nothing and why, and what is compared."""
         stopped = [f"{each.label} stopped: {each.failure}" for each in self.run.estimators.values() if each.failure]
         missing = [f"{self.run.missing} distances are missing."] if self.run.missing else []
-        told = "Arrows are velocities and accelerations at time 0; estimates are aligned with the truth, for distances show no more."
+        told = "Arrows: velocities and (dashed) accelerations at time 0. Estimates are aligned with the truth."
         return [*stopped, *missing, told]
 
     def handles(self) -> list[Handle]:

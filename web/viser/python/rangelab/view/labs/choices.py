@@ -1,4 +1,4 @@
-"""Controls of one of many: which one is chosen by name, so that the panel is no longer for a hundred anchors than for one."""
+"""Controls of one of many, chosen by its name: the panel is no longer for a hundred anchors than for one."""
 
 from collections.abc import Callable
 
