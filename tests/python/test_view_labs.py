@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ from rangelab.view import Viewer, shapes, themes
 from rangelab.view.history import History
 from rangelab.view.labs import LABS, lab_of
 from rangelab.view.labs.obstacles import mesh_of
-from rangelab.view.source import Source
+from rangelab.view.picture import Source
 from viewer_client import ViewerClient, until
 
 ROOM = Scenario.preset("room")
@@ -134,9 +135,13 @@ def test_a_drag_is_taken_back_and_made_again_as_one_edit() -> None:
         until(lambda: tuple(viewer.shown.run.anchors[1]) == (2.0, 1.0, 3.0))
         client.drag("/anchors/1", (3.0, 1.0, 3.0))
         until(lambda: tuple(viewer.shown.run.anchors[1]) == (3.0, 1.0, 3.0))
+
+        def at(x: float) -> bool:
+            return bool(viewer.shown.run.anchors[1][0] == x)
+
         for press, x in (("undo", 2.0), ("undo", ROOM.anchors[1][0]), ("redo", 2.0)):
             client.set(client.control("edits"), press)
-            until(lambda x=x: viewer.shown.run.anchors[1][0] == x)
+            until(partial(at, x))
 
 
 def test_a_history_joins_what_belongs_to_one_gesture() -> None:
@@ -223,9 +228,13 @@ def test_localizers_are_shown_trial_by_trial() -> None:
 
 def test_presets_of_all_families_are_opened_one_after_the_other() -> None:
     with shown(ROOM) as (viewer, client):
+
+        def shows(lab: str, preset: str) -> bool:
+            return (viewer.shown.wish.lab, viewer.shown.name) == (lab, preset)
+
         for preset, lab in (("indoor-static", "indoor"), ("kinematics-four", "anchorless"), ("planar", "track")):
             client.set(client.control("preset"), preset)
-            until(lambda lab=lab, preset=preset: (viewer.shown.wish.lab, viewer.shown.name) == (lab, preset))
+            until(partial(shows, lab, preset))
         client.set(client.control("edits"), "undo")
         until(lambda: viewer.shown.name == "kinematics-four")
 

@@ -1,4 +1,4 @@
-"""How estimators and bounds are named and drawn: labels, colours, marks and dashes of the page, which a test compares."""
+"""How estimators and bounds look: labels, colours, marks and dashes of the page, which a test compares."""
 
 from dataclasses import dataclass
 

@@ -150,7 +150,7 @@ class Panel:
     def optional(
         self,
         label: str,
-        read: Callable[[Document], float | None | str],
+        read: Callable[[Document], float | str | None],
         write: Callable[[float | None], None],
         *,
         first: float,

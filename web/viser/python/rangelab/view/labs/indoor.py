@@ -11,7 +11,7 @@ from .. import shapes
 from ..canvas import Canvas
 from ..looks import FILTERS
 from ..panel import DEGREES, Document, Panel
-from ..picture import Handle, Wish
+from ..picture import Change, Handle, Wish
 from ..plots import Line, Plot, expected
 from . import drawing
 from .choices import Chosen
@@ -196,27 +196,30 @@ def _start(panel: Panel) -> None:
 def _beacons(panel: Panel) -> None:
     chosen = Chosen(panel, "beacon", lambda document: [f"B{m + 1}" for m in range(len(document["beacons"]))])
     chosen.vector("beacons[#]", "position, m", step=0.1)
-    chosen.act(
-        "Remove the beacon",
-        lambda index: lambda scenario: _with_beacons(scenario, lambda all: all[:index] + all[index + 1 :]),
-    )
-    panel.button("Add a beacon", lambda: panel.edit("beacon", lambda scenario: _with_beacons(scenario, _one_more)))
+    chosen.act("Remove the beacon", _without)
+    panel.button("Add a beacon", lambda: panel.edit("beacon", _with_one_more))
     panel.button(
         "Put them around the path", lambda: panel.edit("around", lambda scenario: scenario.replace(beacons=[]))
     )
 
 
-def _walking(path: str) -> Any:
+def _walking(path: str) -> Change:
     """Another path has another box: its own beacons stand around it."""
     return lambda scenario: scenario.replace(path=path, beacons=[])
 
 
-def _with_beacons(scenario: Any, change: Any) -> Any:
-    return scenario.replace(beacons=change(scenario.to_dict()["beacons"]))
+def _with_one_more(scenario: Any) -> Any:
+    """One more beacon, in the middle of the others."""
+    beacons = scenario.to_dict()["beacons"]
+    return scenario.replace(beacons=[*beacons, [float(f"{value:.3g}") for value in np.mean(beacons, axis=0)]])
 
 
-def _one_more(beacons: list[list[float]]) -> list[list[float]]:
-    return [*beacons, [float(f"{value:.3g}") for value in np.mean(beacons, axis=0)]]
+def _without(index: int) -> Change:
+    def change(scenario: Any) -> Any:
+        beacons = scenario.to_dict()["beacons"]
+        return scenario.replace(beacons=[each for m, each in enumerate(beacons) if m != index])
+
+    return change
 
 
 def _beacon(m: int, place: Floats) -> Handle:

@@ -73,7 +73,7 @@ def mesh_of(obstacle: Document, d: int, heights: tuple[float, float]) -> tuple[F
 
 
 def names_of(document: Document) -> list[str]:
-    """ "Wall 1", "Box 2": by their number in the scenario."""
+    """Each by its kind and number: "Wall 1", "Box 2"."""
     kinds = [obstacle["kind"] for obstacle in document["availability"]["obstacles"]]
     return [f"{'Wall' if kind == 'wall' else 'Box'} {i + 1}" for i, kind in enumerate(kinds)]
 
