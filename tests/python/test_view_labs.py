@@ -166,12 +166,12 @@ def test_another_theme_colours_all_anew(theme: str) -> None:
         wanted = themes.THEMES[theme]
         until(lambda: any(m["dark_mode"] == wanted.dark for m in client.of_type("ThemeConfigurationMessage")[1:]))
         until(lambda: wanted.css("kf") in str(client.of_type("GuiUplotMessage")[-5:]))
-        tracks = "/estimators/kf/path"
 
-        def track() -> Any:
-            return [m for m in client.of_type("LineSegmentsMessage") if m["name"] == tracks][-1]["props"]
+        def ellipsoid() -> Any:
+            sent = [m for m in client.of_type("MeshMessage") if m["name"] == "/estimators/kf/ellipsoid"]
+            return sent[-1]["props"]["color"]
 
-        until(lambda: bytes(track()["colors"])[:3] == bytes(wanted.rgb("kf")))
+        until(lambda: tuple(ellipsoid()) == wanted.rgb("kf"))
         assert viewer.shown.wish.source == ROOM
 
 

@@ -1,5 +1,6 @@
 """A browser's part of viser's protocol, without a browser."""
 
+import os
 import threading
 import time
 from collections.abc import Callable
@@ -12,7 +13,7 @@ from viser import _messages
 from websockets.sync.client import connect
 
 
-def until(true: Callable[[], object], seconds: float = 90.0) -> None:
+def until(true: Callable[[], object], seconds: float = float(os.environ.get("PATIENCE", "90"))) -> None:
     """Waits for something that happens in another thread."""
     end = time.monotonic() + seconds
     while not true():

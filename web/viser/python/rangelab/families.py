@@ -34,7 +34,7 @@ def scenario_of(text: str) -> AnyScenario:
 
 def preset_names() -> list[str]:
     """The presets of all families."""
-    return [each["name"] for each in (*presets(), *indoor_presets(), *kinematics_presets())]
+    return [each["name"] for _, known in _families() for each in known]
 
 
 def preset_named(name: str) -> AnyScenario:
@@ -44,11 +44,22 @@ def preset_named(name: str) -> AnyScenario:
         UnknownName: with the names that exist.
 
     """
-    for family, known in (
-        (Scenario, presets()),
-        (IndoorScenario, indoor_presets()),
-        (KinematicsScenario, kinematics_presets()),
-    ):
+    for family, known in _families():
         if name in (each["name"] for each in known):
             return family.preset(name)
     raise UnknownName(f'no preset is called "{name}"; there are: {", ".join(preset_names())}')
+
+
+def preset_summary(scenario: AnyScenario) -> str:
+    """What a preset teaches; empty for a scenario that is none, or one that was changed."""
+    name = scenario.to_dict()["name"]
+    summaries = {each["name"]: each["summary"] for _, known in _families() for each in known}
+    return summaries[name] if name in summaries and preset_named(name) == scenario else ""
+
+
+def _families() -> tuple[tuple[type[AnyScenario], list[dict[str, str]]], ...]:
+    return (
+        (Scenario, presets()),
+        (IndoorScenario, indoor_presets()),
+        (KinematicsScenario, kinematics_presets()),
+    )

@@ -62,26 +62,23 @@ class Recording:
             sensors: N x D, body frame, m.
             noise: for example `{"kind": "range", "sigma": 0.05}` (m).
             interval: time since the last epoch, s: one for all, or K.
-            ranges: K x M x N, m, NaN where missing; this or `squared_ranges` (m^2).
-            squared_ranges: the same squared.
+            ranges: K x M x N, m, NaN where missing; this or `squared_ranges`.
+            squared_ranges: the same squared, m^2.
             velocity: K x D, world frame, m/s; zero by default.
             angular_velocity: K x A, world frame, rad/s; zero by default.
             more: other entries of the document, such as `initial`, `process` or `name`.
-
         """
         squared = _squared(ranges, squared_ranges)
-        known_anchors = np.asarray(anchors, dtype=np.float64)
-        dimension = known_anchors.shape[-1]
-        still = {"orientation": np.eye(dimension), "position": np.zeros(dimension), "covariance": 100.0}
+        dimension = np.shape(anchors)[-1]
         document = {
             "version": 1,
             "dimension": dimension,
-            "anchors": known_anchors,
+            "anchors": np.asarray(anchors, dtype=np.float64),
             "sensors": np.asarray(sensors, dtype=np.float64),
             "noise": noise,
             "epochs": _epochs(len(squared), dimension, interval, velocity, angular_velocity),
             **more,
-            "initial": {**still, **more.get("initial", {})},
+            "initial": _belief(dimension) | more.get("initial", {}),
         }
         return cls._of(_core.Recording.with_squared_ranges(to_text(document), squared))
 
@@ -183,6 +180,11 @@ class Recording:
     def _repr_html_(self) -> str:
         known = "known" if np.isfinite(self.truth_positions).all() else "not known"
         return card("Recording", self._summary(), {"time": f"{self.intervals.sum():g} s", "truth": known})
+
+
+def _belief(dimension: int) -> dict[str, Any]:
+    """The identity at the origin, very uncertain."""
+    return {"orientation": np.eye(dimension), "position": np.zeros(dimension), "covariance": 100.0}
 
 
 def _squared(ranges: ArrayLike | None, squared_ranges: ArrayLike | None) -> Floats:

@@ -1,6 +1,7 @@
 """Handles in the scene that are dragged, each drag one gesture."""
 
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import viser
@@ -25,11 +26,16 @@ class Gizmos:
         self._known: dict[str, tuple[Handle, viser.TransformControlsHandle]] = {}
         self._held: str | None = None
         self._drags = 0
+        self._hands = ThreadPoolExecutor(1, thread_name_prefix="rangelab-hand")
 
     def recolour(self, theme: Theme) -> None:
         """Makes them anew in other colours."""
         self._theme = theme
         self.clear()
+
+    def stop(self) -> None:
+        """Ends its thread."""
+        self._hands.shutdown()
 
     def clear(self) -> None:
         """Takes all away."""
@@ -42,7 +48,7 @@ class Gizmos:
             self._known.pop(name)[1].remove()
         for handle in handles:
             known = self._known.get(handle.name)
-            if known is not None and known[0].held != handle.held:
+            if known is not None and known[0].fixed != handle.fixed:
                 known[1].remove()
                 known = None
             node = self._made(handle, extent) if known is None else known[1]
@@ -57,7 +63,7 @@ class Gizmos:
 
     def _made(self, handle: Handle, extent: float) -> viser.TransformControlsHandle:
         scene, d = self._server.scene, len(handle.place)
-        free = tuple(not held and (axis < d) for axis, held in enumerate(handle.held))
+        free = tuple(not fixed and axis < d for axis, fixed in enumerate(handle.fixed))
         node = scene.add_transform_controls(
             handle.name,
             scale=ARROWS * handle.size * extent,
@@ -74,15 +80,20 @@ class Gizmos:
             scene.add_box(f"{handle.name}/mark", dimensions=(size, size, size), color=self._theme.rgb(handle.token))
         if handle.label:
             scene.add_label(f"{handle.name}/label", handle.label)
-        node.on_update(lambda event: self._moved(handle.name, event))
+
+        # Not a plain function: those run in several threads at once, and the place before a drag could come last.
+        @node.on_update
+        async def _(event: viser.TransformControlsEvent) -> None:
+            place, wxyz = (np.array(each, dtype=np.float64) for each in (node.position, node.wxyz))
+            self._hands.submit(self._moved, handle.name, event.phase, place, wxyz)
+
         return node
 
-    def _moved(self, name: str, event: viser.TransformControlsEvent) -> None:
-        if event.phase == "start":
+    def _moved(self, name: str, phase: str, place: Floats, wxyz: Floats) -> None:
+        if phase == "start":
             self._drags += 1
-        self._held = None if event.phase == "end" else name
-        handle, node = self._known[name]
-        d = len(handle.place)
-        place: Floats = np.asarray(node.position, dtype=np.float64)[:d]
-        turned = shapes.rotation(np.asarray(node.wxyz, dtype=np.float64), d)
-        self._dragged(handle.moved(place, turned), f"drag {self._drags}")
+        self._held = None if phase == "end" else name
+        known = self._known.get(name)
+        if known is not None:
+            d = len(known[0].place)
+            self._dragged(known[0].moved(place[:d], shapes.rotation(wxyz, d)), f"drag {self._drags}")

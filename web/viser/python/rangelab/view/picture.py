@@ -55,7 +55,7 @@ class Handle:
     token: str = "anchor"
     size: float = 1.0
     """Of its arrows, beside those of other handles."""
-    held: tuple[bool, bool, bool] = (False, False, False)
+    fixed: tuple[bool, bool, bool] = (False, False, False)
     """Along which axes it cannot be moved."""
 
 

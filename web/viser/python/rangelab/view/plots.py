@@ -49,7 +49,8 @@ class Plots:
         self._kinds: list[object] = []
 
     def draw(self, plots: list[Plot], theme: Theme) -> None:
-        """Draws them in their order."""
+        """Draws those that have lines, in their order."""
+        plots = [plot for plot in plots if plot.lines]
         kinds: list[object] = [(plot.title, plot.axis, plot.logarithmic, _series(plot, theme)) for plot in plots]
         if kinds != self._kinds:
             for handle in self._handles:

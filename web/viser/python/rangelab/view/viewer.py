@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import viser
 
+from ..families import preset_summary
 from ..recording import Recording
 from . import shapes
 from .canvas import Canvas
@@ -123,6 +124,7 @@ class Viewer:
     def stop(self) -> None:
         """Ends the server and its threads."""
         self._timeline.stop()
+        self._gizmos.stop()
         self._studio.stop()
         self._server.stop()
 
@@ -142,12 +144,14 @@ class Viewer:
         gui.main_panel.dock_right()
         plots.dock_below(gui.main_panel)
         gui.main_panel.set_width(PANEL_WIDTH)
-        self._lab = ""
+        self._lab, self._framed = "", ("", "")
 
     def _show(self, picture: Picture) -> None:
         with self._drawing:
             if picture.wish.lab != self._lab:
-                self._change_lab(picture)
+                self._change_lab(picture.wish.lab)
+            if (picture.wish.lab, picture.name) != self._framed:
+                self._frame(picture)
             self._timeline.resize(len(picture.times))
             self.draw()
             self._plots.draw(picture.plots(), self._theme)
@@ -156,12 +160,18 @@ class Viewer:
                 self._panel.follow(picture.wish.source)
             self._say(picture)
 
-    def _change_lab(self, picture: Picture) -> None:
-        """Other controls, another view."""
-        self._lab = picture.wish.lab
+    def _frame(self, picture: Picture) -> None:
+        """Another scene: the view on all of it, at its end."""
+        self._framed = (picture.wish.lab, picture.name)
         self._gizmos.clear()
         self._stage.frame(picture.outline, self._theme)
         self._timeline.magnify_by(picture.magnification)
+        self._timeline.resize(len(picture.times))
+        self._timeline.show(len(picture.times) - 1)
+
+    def _change_lab(self, name: str) -> None:
+        """Other controls."""
+        self._lab = name
         if self._tabs is not None:
             self._tabs.remove()
         panel = Panel(self._server, self._studio)
@@ -182,10 +192,15 @@ class Viewer:
                 picture.draw(self._canvas, min(step, len(picture.times) - 1), self._timeline.magnification)
 
     def _say(self, picture: Picture) -> None:
-        self._note.content = "\n\n".join([f"**{picture.name}**", *picture.sentences()])
+        source = picture.wish.source
+        teaching = "" if isinstance(source, Recording) else preset_summary(source)
+        told = [f"**{picture.name}** {teaching}".strip(), *picture.sentences()]
+        self._note.content = "\n\n".join(told)
 
     def _refuse(self, sentence: str) -> None:
         self._note.content = f"**Not possible:** {sentence}"
         document = self._studio.document
         if document is not None and self._panel is not None:
             self._panel.follow(document)
+        # A handle that was dragged to where nothing can be goes back.
+        self.draw()

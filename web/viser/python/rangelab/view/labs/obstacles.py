@@ -98,7 +98,7 @@ def _handle(i: int, name: str, obstacle: Document, d: int, heights: tuple[float,
         return _changed(lambda found: _placed(found, i, to, d, heights))
 
     wall = obstacle["kind"] == "wall"
-    return Handle(f"/obstacles/{i}/handle", name, middle, moved, token="ink-soft", size=0.8, held=(False, False, wall))
+    return Handle(f"/obstacles/{i}/handle", name, middle, moved, token="ink-soft", size=0.8, fixed=(False, False, wall))
 
 
 def _placed(document: Document, i: int, to: Floats, d: int, heights: tuple[float, float]) -> list[Document]:

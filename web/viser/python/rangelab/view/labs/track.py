@@ -181,7 +181,7 @@ def _anchor(m: int, place: Floats, *, fixed: bool = False) -> Handle:
         f"A{m + 1}",
         place,
         lambda to, _: lambda scenario: scenario.replace({f"anchors[{m}]": to}),
-        held=(fixed, fixed, fixed),
+        fixed=(fixed, fixed, fixed),
     )
 
 
