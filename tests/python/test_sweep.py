@@ -132,7 +132,8 @@ def test_a_cluster_that_loses_a_worker_half_way_gives_the_same_numbers(tmp_path:
     _gone(killed[0])
 
 
-def test_ray_gives_the_same_numbers(alone: Sweep) -> None:
+def test_ray_gives_the_same_numbers(alone: Sweep, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("RAY_raylet_start_wait_time_s", "300")
     ray = pytest.importorskip("ray", reason="Ray is not installed: pip install 'rangelab[ray]' runs this test")
     ray.init(num_cpus=2, include_dashboard=False, logging_level="ERROR", log_to_driver=False)
     try:

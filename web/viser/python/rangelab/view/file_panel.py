@@ -12,7 +12,7 @@ from .labs import LABS
 from .picture import Source, Wish
 from .state import Studio
 from .themes import THEMES
-from .values import by_hand, put
+from .values import by_hand, in_order, put
 
 if TYPE_CHECKING:
     from .viewer import Viewer
@@ -63,8 +63,14 @@ class FilePanel:
         history = self._gui.add_button_group("edits", ("undo", "redo"))
 
         @history.on_click
-        def _(event: viser.GuiEvent[viser.GuiButtonGroupHandle]) -> None:
-            _ = self._studio.undo() if event.target.value == "undo" else self._studio.redo()
+        async def _(event: viser.GuiEvent[viser.GuiButtonGroupHandle]) -> None:
+            in_order(self._undo if event.target.value == "undo" else self._redo)
+
+    def _undo(self) -> None:
+        self._studio.undo()
+
+    def _redo(self) -> None:
+        self._studio.redo()
 
     def _shown_as(self, title: str) -> None:
         name = next(name for name, lab in LABS.items() if lab.title == title)

@@ -1,7 +1,6 @@
 """Handles in the scene that are dragged, each drag one gesture."""
 
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import viser
@@ -10,6 +9,7 @@ from ..arrays import Floats
 from . import shapes
 from .picture import Change, Handle
 from .themes import Theme
+from .values import in_order
 
 Dragged = Callable[[Change, str], None]
 """Told the edit, and the gesture it belongs to."""
@@ -26,16 +26,11 @@ class Gizmos:
         self._known: dict[str, tuple[Handle, viser.TransformControlsHandle]] = {}
         self._held: str | None = None
         self._drags = 0
-        self._hands = ThreadPoolExecutor(1, thread_name_prefix="rangelab-hand")
 
     def recolour(self, theme: Theme) -> None:
         """Makes them anew in other colours."""
         self._theme = theme
         self.clear()
-
-    def stop(self) -> None:
-        """Ends its thread."""
-        self._hands.shutdown()
 
     def clear(self) -> None:
         """Takes all away."""
@@ -81,11 +76,10 @@ class Gizmos:
         if handle.label:
             scene.add_label(f"{handle.name}/label", handle.label)
 
-        # Not a plain function: those run in several threads at once, and the place before a drag could come last.
         @node.on_update
         async def _(event: viser.TransformControlsEvent) -> None:
             place, wxyz = (np.array(each, dtype=np.float64) for each in (node.position, node.wxyz))
-            self._hands.submit(self._moved, handle.name, event.phase, place, wxyz)
+            in_order(self._moved, handle.name, event.phase, place, wxyz)
 
         return node
 

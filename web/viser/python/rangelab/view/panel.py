@@ -10,7 +10,7 @@ import viser
 from ..documents import Written, found
 from .picture import Change
 from .state import Studio
-from .values import by_hand, put
+from .values import at_a_press, by_hand, put
 
 PAUSE = 1.0
 """Edits of one value with no longer pauses between them are one entry of the history, s."""
@@ -211,7 +211,7 @@ class Panel:
     def button(self, label: str, do: Callable[[], None], *, hint: str | None = None) -> viser.GuiButtonHandle:
         """Something that is done at a press."""
         handle = self.gui.add_button(label, hint=hint)
-        handle.on_click(lambda _: do())
+        at_a_press(handle, do)
         return handle
 
 

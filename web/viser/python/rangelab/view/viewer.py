@@ -124,7 +124,6 @@ class Viewer:
     def stop(self) -> None:
         """Ends the server and its threads."""
         self._timeline.stop()
-        self._gizmos.stop()
         self._studio.stop()
         self._server.stop()
 
