@@ -192,8 +192,15 @@ class Panel:
             for name, box in boxes.items():
                 put(box, name in enabled)
 
-        for box in boxes.values():
-            by_hand(box, lambda _: self.put(path, [name for name, each in boxes.items() if each.value]))
+        def switched(name: str, ticked: bool) -> Change:
+            def change(document: Any) -> Any:
+                enabled = {*found(document.to_dict(), path)} - {name} | ({name} if ticked else set())
+                return document.replace({path: [each for each in boxes if each in enabled]})
+
+            return change
+
+        for name, box in boxes.items():
+            by_hand(box, lambda ticked, name=name: self.edit(path, switched(name, ticked)))
         self.on_follow(write)
 
     def note(self, read: Callable[[Document], str]) -> None:
