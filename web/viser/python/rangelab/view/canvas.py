@@ -70,15 +70,15 @@ class Canvas:
 
     def marks(self, name: str, places: Floats, look: Look, size: float = 1.0) -> None:
         """The mark of an estimator at each of some places (P x 3, m)."""
-        places = places[np.isfinite(places).all(axis=1)].astype(np.float32)
-        if not len(places):
+        points = shapes.known(places).astype(np.float32)
+        if not len(points):
             return
         colour, shape = self.theme.rgb(look.token), POINT_SHAPES[look.mark]
         world = 0.0011 * MARK_PIXELS * size * self.theme.weight * self.unit
         self._put(
             name,
-            (places, colour, shape, world),
-            lambda: self._server.scene.add_point_cloud(name, places, colour, point_size=world, point_shape=shape),
+            (points, colour, shape, world),
+            lambda: self._server.scene.add_point_cloud(name, points, colour, point_size=world, point_shape=shape),
         )
 
     def ellipsoid(self, name: str, covariance: Floats, centre: Floats, scale: float, token: str) -> None:

@@ -105,7 +105,7 @@ class Panel:
             values = self.value(document, path)
             for count, box in boxes.items():
                 box.visible = values is not None and len(values) == count
-                if box.visible:
+                if values is not None and box.visible:
                     shown = tuple(_shown(factor * value) for value in values)
                     put(box, shown[0] if count == 1 else shown)
 

@@ -1,6 +1,9 @@
 """Controls of one of many, chosen by its name: the panel is no longer for a hundred anchors than for one."""
 
 from collections.abc import Callable
+from typing import cast
+
+import viser
 
 from ..panel import Document, Panel
 from ..picture import Change
@@ -17,7 +20,7 @@ class Chosen(Panel):
         self.index = 0
         """Which one is chosen."""
         self._names = names
-        self._list = self.gui.add_dropdown(what, ("–",))
+        self._list: viser.GuiDropdownHandle[str] = self.gui.add_dropdown(what, cast("tuple[str, ...]", ("–",)))
         by_hand(self._list, self._choose)
         panel.on_follow(self._write)
 
