@@ -25,7 +25,8 @@ POINT_SHAPES: dict[str, Literal["circle", "square", "diamond", "rounded", "spark
     "cross": "sparkle",
 }
 """The nearest that viser has to the page's marks."""
-MARK_PIXELS = 9.0
+MARK = 0.008
+"""Size of a mark beside the scene."""
 OPACITY = 0.75
 """Of a field; the page's are a little lower, on a renderer that blends in another way."""
 
@@ -74,7 +75,7 @@ class Canvas:
         if not len(points):
             return
         colour, shape = self.theme.rgb(look.token), POINT_SHAPES[look.mark]
-        world = 0.0011 * MARK_PIXELS * size * self.theme.weight * self.unit
+        world = MARK * size * np.sqrt(self.theme.weight) * self.unit
         self._put(
             name,
             (points, colour, shape, world),

@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -192,15 +193,15 @@ class Panel:
             for name, box in boxes.items():
                 put(box, name in enabled)
 
-        def switched(name: str, ticked: bool) -> Change:
+        def switch(name: str, ticked: bool) -> None:
             def change(document: Any) -> Any:
                 enabled = {*found(document.to_dict(), path)} - {name} | ({name} if ticked else set())
                 return document.replace({path: [each for each in boxes if each in enabled]})
 
-            return change
+            self.edit(path, change)
 
         for name, box in boxes.items():
-            by_hand(box, lambda ticked, name=name: self.edit(path, switched(name, ticked)))
+            by_hand(box, partial(switch, name))
         self.on_follow(write)
 
     def note(self, read: Callable[[Document], str]) -> None:

@@ -24,10 +24,11 @@ def in_order(do: Callable[..., None], *what: Any) -> None:
 def by_hand(handle: Any, do: Callable[[Any], None]) -> None:
     """Calls `do` with a new value from a browser; what the program itself puts there is no edit."""
 
-    @handle.on_update
-    async def _(event: Any) -> None:
+    async def changed(event: Any) -> None:
         if event.client_id is not None:
             in_order(do, handle.value)
+
+    handle.on_update(changed)
 
 
 def at_a_press(button: viser.GuiButtonHandle, do: Callable[[], None]) -> None:
