@@ -11,7 +11,7 @@ import numpy as np
 import pyarrow.parquet as parquet
 import pytest
 import rangelab
-from rangelab import IndoorScenario, Scenario
+from rangelab import IndoorScenario, KinematicsScenario, Scenario
 from rangelab.sweep import Sweep, sweep
 
 ROOM = Scenario.preset("room").replace({"steps": 5, "estimators.enabled": ["kf", "uc-kf"]})
@@ -90,8 +90,15 @@ def test_other_kinds() -> None:
     indoor = sweep(IndoorScenario.preset(), {"ranging.sigma": [0.05, 0.2]}, 20, on=2)
     errors = [row["position"] for row in indoor.rows if row["name"] == "mekf"]
     assert errors[0] < errors[1]
+    network = KinematicsScenario.preset("kinematics-sparse").replace(steps=11)
+    found = sweep(network, {"noise.sigma_distance": [0.01, 0.1]}, 20, on=2, trials_per_chunk=5)
+    expected = network.replace({"noise.sigma_distance": 0.1}).study(20).rows()
+    assert found.rows[len(found.rows) // 2 :] == [{"noise.sigma_distance": 0.1, **row} for row in expected]
+    assert found.about["kind"] == "kinematics"
     with pytest.raises(rangelab.Error, match="no study of the kind"):
         sweep(ROOM, {}, 20, kind="indoor")
+    with pytest.raises(rangelab.Error, match="no study of the kind"):
+        sweep(network, {}, 20, kind="track")
     with pytest.raises(rangelab.Error, match="nothing at noise"):
         sweep(ROOM, {"noise.sigmas[0]": [1]}, 20)
 
@@ -123,6 +130,16 @@ def test_a_cluster_that_loses_a_worker_half_way_gives_the_same_numbers(tmp_path:
     assert heard == [20 * (i + 1) for i in range(60)]
     assert len(list(tmp_path.iterdir())) == 60
     _gone(killed[0])
+
+
+def test_ray_gives_the_same_numbers(alone: Sweep, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("RAY_raylet_start_wait_time_s", "300")
+    ray = pytest.importorskip("ray", reason="Ray is not installed: pip install 'rangelab[ray]' runs this test")
+    ray.init(num_cpus=2, include_dashboard=False, logging_level="ERROR", log_to_driver=False)
+    try:
+        assert sweep(ROOM, GRID, 130, on="ray", trials_per_chunk=40).rows == alone.rows
+    finally:
+        ray.shutdown()
 
 
 def _gone(pid: int) -> None:

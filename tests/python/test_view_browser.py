@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from playwright.sync_api import Page, sync_playwright
 from rangelab import Scenario
 from rangelab.view import Viewer
+from rangelab.view.gizmos import ARROWS
 from rangelab.view.shapes import rotation
 
 WIDTH, HEIGHT = 1000, 700
@@ -51,7 +52,7 @@ def test_an_anchor_is_dragged_and_the_estimates_move(viewer: Viewer, page: Page,
     page.screenshot(path=pictures / "viewer.png", timeout=120_000)
     before = viewer.shown
     anchor = before.run.anchors[0]
-    arrow = 0.12 * before.extent * np.array([0.7, 0.0, 0.0])
+    arrow = ARROWS * float(np.ptp(before.outline, axis=0).max()) * np.array([0.7, 0.0, 0.0])
     from_x, from_y = pixel(viewer, anchor + arrow)
     to_x, to_y = pixel(viewer, anchor + 2.5 * arrow + np.array([1.0, 0.0, 0.0]))
     page.mouse.move(from_x, from_y)

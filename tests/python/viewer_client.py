@@ -1,6 +1,9 @@
 """A browser's part of viser's protocol, without a browser."""
 
+import os
 import threading
+import time
+from collections.abc import Callable
 from typing import Any
 
 import msgspec
@@ -8,6 +11,14 @@ import viser
 import zstandard
 from viser import _messages
 from websockets.sync.client import connect
+
+
+def until(true: Callable[[], object], seconds: float = float(os.environ.get("PATIENCE", "90"))) -> None:
+    """Waits for something that happens in another thread."""
+    end = time.monotonic() + seconds
+    while not true():
+        assert time.monotonic() < end, "it did not happen"
+        time.sleep(0.02)
 
 
 class ViewerClient:
@@ -51,9 +62,13 @@ class ViewerClient:
         """Gives a control of the panel a value."""
         self.send(_messages.GuiUpdateMessage(uuid, {"value": value}))
 
+    def press(self, label: str) -> None:
+        """Presses a button."""
+        self.set(self.control(label), True)
+
     def control(self, label: str) -> str:
-        """The control with a label."""
-        for message in list(self.messages):
+        """The control with a label, the last one that was sent."""
+        for message in reversed(list(self.messages)):
             props = message.get("props")
             if isinstance(props, dict) and props.get("label") == label and "uuid" in message:
                 return str(message["uuid"])

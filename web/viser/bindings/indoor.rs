@@ -78,6 +78,16 @@ impl IndoorRun {
             .collect()
     }
 
+    fn beacons<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let rows = self.0.beacons.iter().map(|beacon| Some(beacon.clone()));
+        padded(py, &[self.0.beacons.len(), 3], rows)
+    }
+
+    fn transmitters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let rows = self.0.transmitters.iter().map(|transmitter| Some(transmitter.clone()));
+        padded(py, &[self.0.transmitters.len(), 3], rows)
+    }
+
     fn times<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         array(py, &[self.0.times.len()], self.0.times.iter().copied())
     }
@@ -104,6 +114,22 @@ impl IndoorRun {
     fn orientations<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Bound<'py, PyAny>> {
         let rows = self.steps(index).map(|step| Some(step.pose.orientation.concat()));
         padded(py, &[self.0.times.len(), 3, 3], rows)
+    }
+
+    fn position_covariances<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Bound<'py, PyAny>> {
+        let rows = self.steps(index).map(|step| Some(step.position_covariance.concat()));
+        padded(py, &[self.0.times.len(), 3, 3], rows)
+    }
+
+    fn rotation_covariances<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Bound<'py, PyAny>> {
+        let rows = self.steps(index).map(|step| Some(step.rotation_covariance.concat()));
+        padded(py, &[self.0.times.len(), 3, 3], rows)
+    }
+
+    /// The singular values of `R`, largest first.
+    fn singular_values<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Bound<'py, PyAny>> {
+        let rows = self.steps(index).map(|step| Some(step.singular_values.to_vec()));
+        padded(py, &[self.0.times.len(), 3], rows)
     }
 
     fn numbers<'py>(&self, py: Python<'py>, index: usize, name: &str) -> PyResult<Bound<'py, PyAny>> {

@@ -41,6 +41,23 @@ def plain(value: Any, path: str = "") -> Any:
     raise Error(f"{path} is a {type(value).__name__}, allowed: numbers, texts, lists and dictionaries")
 
 
+def _keys(path: str) -> list[Any]:
+    """The names and numbers of a path such as `anchors[2][0]`."""
+    parts = re.findall(r"\[(\d+)\]|([^.\[\]]+)", path)
+    return [int(index) if index else name for index, name in parts]
+
+
+def found(document: dict[str, Any], path: str, missing: Any = None) -> Any:
+    """The value at a path such as `noise.sigma`; `missing` where there is nothing."""
+    at: Any = document
+    for key in _keys(path):
+        try:
+            at = at[key]
+        except (KeyError, IndexError, TypeError):
+            return missing
+    return at
+
+
 def replaced(document: dict[str, Any], path: str, value: Any) -> None:
     """Puts `value` at a path such as `noise.sigma` or `anchors[2][0]`, in place.
 
@@ -48,8 +65,7 @@ def replaced(document: dict[str, Any], path: str, value: Any) -> None:
         Error: where the path leads nowhere.
 
     """
-    found = re.findall(r"\[(\d+)\]|([^.\[\]]+)", path)
-    keys = [int(index) if index else name for index, name in found]
+    keys = _keys(path)
     at: Any = document
     try:
         for key in keys[:-1]:

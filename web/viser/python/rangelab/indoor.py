@@ -1,12 +1,17 @@
 """The Indoor lab: an IMU and three transmitters on a body, beacons in a room."""
 
 import json
+from collections.abc import Callable
+
+import numpy as np
 
 from . import _core
-from .arrays import Flags, Floats, Part
+from .arrays import Flags, Floats
 from .documents import Document, Written, to_text
-from .html import card
+from .frames import Row
+from .html import card, table
 from .jobs import Progress
+from .reports import CompiledPart, RunReport
 from .studies import Study, indoor_study
 
 
@@ -54,16 +59,8 @@ class IndoorScenario(Written):
         return card(f"Indoor scenario {document['name']}", f"{len(document['beacons'])} beacons", rows)
 
 
-class IndoorFilterRun:
+class IndoorFilterRun(CompiledPart[_core.IndoorRun]):
     """One filter over all samples of the IMU; NaN after a failure."""
-
-    def __init__(self, run: _core.IndoorRun, index: int, part: Part) -> None:
-        self._run, self._index = run, index
-        self.name, self.label = part[:2]
-        self.failure: tuple[int, str] | None = None
-        """The step at which it stopped, and why."""
-        if part[2] is not None:
-            self.failure = (part[2], part[3] or "")
 
     @property
     def orientations(self) -> Floats:
@@ -74,6 +71,21 @@ class IndoorFilterRun:
     def positions(self) -> Floats:
         """m: K x 3."""
         return self._run.positions(self._index)
+
+    @property
+    def position_covariances(self) -> Floats:
+        """m^2: K x 3 x 3."""
+        return self._run.position_covariances(self._index)
+
+    @property
+    def rotation_covariances(self) -> Floats:
+        """Of the rotation vector of the error in the world frame, rad^2: K x 3 x 3."""
+        return self._run.rotation_covariances(self._index)
+
+    @property
+    def singular_values(self) -> Floats:
+        """Of `R`, decreasing, all 1 for a rotation: K x 3."""
+        return self._run.singular_values(self._index)
 
     @property
     def orientation_errors(self) -> Floats:
@@ -96,13 +108,37 @@ class IndoorFilterRun:
         return self._run.numbers(self._index, "nis")
 
 
-class IndoorRun:
+class IndoorRun(RunReport[IndoorFilterRun]):
     """One trial through the filters: `run["mekf"]` is one filter."""
+
+    _what = "filter"
 
     def __init__(self, core: _core.IndoorRun) -> None:
         self._core = core
         self.filters = {part[0]: IndoorFilterRun(core, i, part) for i, part in enumerate(core.filters())}
         """The filters by name."""
+        super().__init__(self.filters)
+
+    @property
+    def name(self) -> str:
+        """Name of the scenario."""
+        return self._core.name
+
+    def rows(self) -> list[Row]:
+        """A row for each filter and step; NIS between fixes is NaN."""
+        columns: dict[str, Callable[[IndoorFilterRun], Floats]] = {
+            "position_error_m": lambda each: each.position_errors,
+            "orientation_error_rad": lambda each: each.orientation_errors,
+            "nees": lambda each: each.nees,
+            "nis": lambda each: each.nis,
+        }
+        rows: list[Row] = []
+        for each in self.filters.values():
+            numbers = {key: of(each).tolist() for key, of in columns.items()}
+            for k, time in enumerate(self.times.tolist()):
+                values = {key: column[k] for key, column in numbers.items()}
+                rows.append({"name": each.name, "step": k, "time_s": time, **values})
+        return rows
 
     def to_json(self) -> str:
         """The run as JSON."""
@@ -119,6 +155,16 @@ class IndoorRun:
         return self._core.fixes()
 
     @property
+    def beacons(self) -> Floats:
+        """World frame, m: M x 3."""
+        return self._core.beacons()
+
+    @property
+    def transmitters(self) -> Floats:
+        """Body frame, m: 3 x 3."""
+        return self._core.transmitters()
+
+    @property
     def truth_positions(self) -> Floats:
         """m: K x 3."""
         return self._core.truth_positions()
@@ -128,12 +174,14 @@ class IndoorRun:
         """K x 3 x 3."""
         return self._core.truth_orientations()
 
-    def __getitem__(self, name: str) -> IndoorFilterRun:
-        try:
-            return self.filters[name]
-        except KeyError:
-            known = ", ".join(self.filters)
-            raise _core.UnknownName(f'no filter of this run is called "{name}"; there are: {known}') from None
-
     def __repr__(self) -> str:
         return f"<rangelab.IndoorRun {self._core.name!r}: {len(self.times)} steps, {', '.join(self.filters)}>"
+
+    def _repr_html_(self) -> str:
+        header = ["", "position error, m (RMS)", "angle, mrad (RMS)", "mean NEES / n", "stopped"]
+        rows = []
+        for each in self.filters.values():
+            errors = (each.position_errors, 1e3 * each.orientation_errors)
+            numbers = [f"{np.sqrt(np.nanmean(error**2)):.3g}" for error in errors]
+            rows.append([each.label, *numbers, f"{np.nanmean(each.nees):.2f}", each.failure[1] if each.failure else ""])
+        return table(f"Run of {self.name}: {len(self.times)} steps", header, rows)

@@ -5,9 +5,10 @@ from typing import Any
 
 import numpy as np
 
-from . import _core
 from .arrays import Floats
+from .frames import Row
 from .html import table
+from .reports import RunReport
 
 
 def _numbers(value: Any) -> Floats:
@@ -64,7 +65,7 @@ class KinematicsEstimatorRun:
         return f"<rangelab.KinematicsEstimatorRun {self.label}>"
 
 
-class KinematicsRun:
+class KinematicsRun(RunReport[KinematicsEstimatorRun]):
     """One trial through the estimators: `run["maximum-likelihood"]` is one of them."""
 
     def __init__(self, text: str) -> None:
@@ -74,15 +75,29 @@ class KinematicsRun:
         parts = (KinematicsEstimatorRun(part, *size) for part in self._document["estimators"])
         self.estimators = {part.name: part for part in parts}
         """The estimators by name."""
+        super().__init__(self.estimators)
+
+    @property
+    def name(self) -> str:
+        """Name of the scenario."""
+        return str(self._document["name"])
 
     def to_json(self) -> str:
         """The run as JSON; every number comes back as the same bits."""
         return self._text
 
-    def to_dict(self) -> dict[str, Any]:
-        """The run as a dictionary, a copy."""
-        document: dict[str, Any] = json.loads(self._text)
-        return document
+    def rows(self) -> list[Row]:
+        """A row for each estimator that has positions and instant."""
+        rows: list[Row] = []
+        for each in self.estimators.values():
+            found = {
+                "position_error_m": each.position_errors.tolist(),
+                "aligned_position_error_m": each.aligned_position_errors.tolist(),
+            }
+            known = {key: values for key, values in found.items() if values}
+            for k, time in enumerate(self.instants.tolist() if known else ()):
+                rows.append({"name": each.name, "time_s": time, **{key: values[k] for key, values in known.items()}})
+        return rows
 
     @property
     def stamps(self) -> Floats:
@@ -109,18 +124,11 @@ class KinematicsRun:
         """`Q`, from the frame of the truth to that of the accelerometers: D x D."""
         return _numbers(self._document["sensor_from_world"])
 
-    def __getitem__(self, name: str) -> KinematicsEstimatorRun:
-        try:
-            return self.estimators[name]
-        except KeyError:
-            known = ", ".join(self.estimators)
-            raise _core.UnknownName(f'no estimator of this run is called "{name}"; there are: {known}') from None
-
     def __reduce__(self) -> tuple[type["KinematicsRun"], tuple[str]]:
         return type(self), (self._text,)
 
     def __repr__(self) -> str:
-        return f"<rangelab.KinematicsRun {self._document['name']!r}: {', '.join(self.estimators)}>"
+        return f"<rangelab.KinematicsRun {self.name!r}: {', '.join(self.estimators)}>"
 
     def _repr_html_(self) -> str:
         header = ["", "RMSE of positions, mm", "of velocities, mm/s", "stopped"]
@@ -128,4 +136,4 @@ class KinematicsRun:
         for each in self.estimators.values():
             errors = [f"{1e3 * error:.3g}" for error in each.coefficient_errors[:2]]
             rows.append([each.label, *errors, *[""] * (2 - len(errors)), each.failure or ""])
-        return table(f"Run of {self._document['name']}: {len(self.stamps)} stamps", header, rows)
+        return table(f"Run of {self.name}: {len(self.stamps)} stamps", header, rows)

@@ -1,4 +1,4 @@
-"""The page's links: a whole scenario after the `#` of an address, `#v1.<base64url(deflate(JSON))>`."""
+"""The page's links: a whole scenario of any lab after the `#` of an address, `#v1.<base64url(deflate(JSON))>`."""
 
 import base64
 import binascii
@@ -6,16 +6,17 @@ import re
 import zlib
 
 from ._core import Error
-from .scenario import Scenario
+from .families import AnyScenario, scenario_of
 
 _SHAPE = re.compile(r"v(\d{1,6})\.([A-Za-z0-9_-]+)$")
 _MOST_CHARACTERS = 8 * 1024
 _MOST_BYTES = 64 * 1024
 
 
-def to_link(scenario: Scenario, page: str = "") -> str:
+def to_link(scenario: AnyScenario, page: str = "") -> str:
     """The address that opens a scenario on the page; `page` is where the page is served.
 
+    >>> from rangelab import Scenario
     >>> to_link(Scenario.preset("room"), "https://example.org/").startswith("https://example.org/#v1.")
     True
     """
@@ -23,7 +24,7 @@ def to_link(scenario: Scenario, page: str = "") -> str:
     return f"{page}#v1.{base64.urlsafe_b64encode(packed).decode().rstrip('=')}"
 
 
-def from_link(link: str) -> Scenario:
+def from_link(link: str) -> AnyScenario:
     """The scenario of a link, from the whole address or what follows its `#`.
 
     Raises:
@@ -39,7 +40,7 @@ def from_link(link: str) -> Scenario:
         raise Error("this link does not have the form #v1.… of a scenario")
     if int(match[1]) != 1:
         raise Error(f"this link has version {int(match[1])}; this rangelab reads version 1")
-    return Scenario(_inflated(match[2]))
+    return scenario_of(_inflated(match[2]))
 
 
 def _inflated(text: str) -> str:

@@ -62,37 +62,23 @@ class Recording:
             sensors: N x D, body frame, m.
             noise: for example `{"kind": "range", "sigma": 0.05}` (m).
             interval: time since the last epoch, s: one for all, or K.
-            ranges: K x M x N, m, NaN where missing; this or `squared_ranges` (m^2).
-            squared_ranges: the same squared.
+            ranges: K x M x N, m, NaN where missing; this or `squared_ranges`.
+            squared_ranges: the same squared, m^2.
             velocity: K x D, world frame, m/s; zero by default.
             angular_velocity: K x A, world frame, rad/s; zero by default.
             more: other entries of the document, such as `initial`, `process` or `name`.
-
         """
-        if (ranges is None) == (squared_ranges is None):
-            raise _core.Error("ranges and squared_ranges: one of the two is needed")
-        measured = np.asarray(ranges if squared_ranges is None else squared_ranges, dtype=np.float64)
-        squared = np.ascontiguousarray(measured**2 if squared_ranges is None else measured)
-        known_anchors = np.asarray(anchors, dtype=np.float64)
-        dimension = known_anchors.shape[-1]
-        count = squared.shape[0] if squared.ndim else 0
-
-        motion = zip(
-            np.broadcast_to(np.asarray(interval, dtype=np.float64), count).tolist(),
-            _per_epoch(velocity, count, dimension),
-            _per_epoch(angular_velocity, count, dimension * (dimension - 1) // 2),
-            strict=True,
-        )
-        still = {"orientation": np.eye(dimension), "position": np.zeros(dimension), "covariance": 100.0}
+        squared = _squared(ranges, squared_ranges)
+        dimension = np.shape(anchors)[-1]
         document = {
             "version": 1,
             "dimension": dimension,
-            "anchors": known_anchors,
+            "anchors": np.asarray(anchors, dtype=np.float64),
             "sensors": np.asarray(sensors, dtype=np.float64),
             "noise": noise,
-            "epochs": [{"interval": t, "velocity": v, "angular_velocity": w} for t, v, w in motion],
+            "epochs": _epochs(len(squared), dimension, interval, velocity, angular_velocity),
             **more,
-            "initial": {**still, **more.get("initial", {})},
+            "initial": _belief(dimension) | more.get("initial", {}),
         }
         return cls._of(_core.Recording.with_squared_ranges(to_text(document), squared))
 
@@ -194,6 +180,36 @@ class Recording:
     def _repr_html_(self) -> str:
         known = "known" if np.isfinite(self.truth_positions).all() else "not known"
         return card("Recording", self._summary(), {"time": f"{self.intervals.sum():g} s", "truth": known})
+
+
+def _belief(dimension: int) -> dict[str, Any]:
+    """The identity at the origin, very uncertain."""
+    return {"orientation": np.eye(dimension), "position": np.zeros(dimension), "covariance": 100.0}
+
+
+def _squared(ranges: ArrayLike | None, squared_ranges: ArrayLike | None) -> Floats:
+    """The squared ranges, whichever of the two is given, m^2: K x M x N."""
+    if (ranges is None) == (squared_ranges is None):
+        raise _core.Error("ranges and squared_ranges: one of the two is needed")
+    measured = np.asarray(ranges if squared_ranges is None else squared_ranges, dtype=np.float64)
+    return np.atleast_1d(np.ascontiguousarray(measured**2 if squared_ranges is None else measured))
+
+
+def _epochs(
+    count: int,
+    dimension: int,
+    interval: ArrayLike,
+    velocity: ArrayLike | None,
+    angular_velocity: ArrayLike | None,
+) -> list[dict[str, Any]]:
+    """The epochs of a document: how the body moves in each, without ranges."""
+    motion = zip(
+        np.broadcast_to(np.asarray(interval, dtype=np.float64), count).tolist(),
+        _per_epoch(velocity, count, dimension),
+        _per_epoch(angular_velocity, count, dimension * (dimension - 1) // 2),
+        strict=True,
+    )
+    return [{"interval": t, "velocity": v, "angular_velocity": w} for t, v, w in motion]
 
 
 def _per_epoch(given: ArrayLike | None, count: int, width: int) -> list[Any]:

@@ -1,30 +1,22 @@
 """Runs: what trackers and bounds made of a recording."""
 
-import json
-from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import _core
-from .arrays import Flags, Floats, Part
+from .arrays import Flags, Floats
+from .frames import Row, columns_of_csv, csv_to_pandas, csv_to_polars
 from .html import table
+from .reports import CompiledPart, RunReport
 
 if TYPE_CHECKING:
     import pandas
     import polars
 
 
-class EstimatorRun:
+class EstimatorRun(CompiledPart[_core.Run]):
     """One tracker over all epochs; NaN after a failure and where the truth is not known."""
-
-    def __init__(self, run: _core.Run, index: int, part: Part) -> None:
-        self._run, self._index = run, index
-        self.name, self.label = part[:2]
-        self.failure: tuple[int, str] | None = None
-        """The epoch at which it stopped, and why."""
-        if part[2] is not None:
-            self.failure = (part[2], part[3] or "")
 
     @property
     def orientations(self) -> Floats:
@@ -92,20 +84,9 @@ class EstimatorRun:
         """
         return self._run.numbers(self._index, name)
 
-    def __repr__(self) -> str:
-        return f"<rangelab.EstimatorRun {self.label}>"
 
-
-class BoundRun:
+class BoundRun(CompiledPart[_core.Run]):
     """A lower bound on the root mean square error along the track; NaN where it does not exist."""
-
-    def __init__(self, run: _core.Run, index: int, part: Part) -> None:
-        self._run, self._index = run, index
-        self.name, self.label = part[:2]
-        self.failure: tuple[int, str] | None = None
-        """The first epoch at which it does not exist, and why."""
-        if part[2] is not None:
-            self.failure = (part[2], part[3] or "")
 
     @property
     def orientation(self) -> Floats:
@@ -127,11 +108,8 @@ class BoundRun:
         """Of the rotation vector of the error in the world frame, rad^2: K x A x A."""
         return self._run.bound_rotation_covariances(self._index)
 
-    def __repr__(self) -> str:
-        return f"<rangelab.BoundRun {self.label}>"
 
-
-class Run:
+class Run(RunReport[EstimatorRun]):
     """One recording through trackers and bounds: `run["uc-kf"]` is a tracker, `run.bounds["posterior_crb"]` a bound.
 
     Its JSON is that of `rangelab run`, bit for bit.
@@ -141,6 +119,7 @@ class Run:
         self._core = core
         self.estimators = {part[0]: EstimatorRun(core, i, part) for i, part in enumerate(core.estimators())}
         """The trackers by name."""
+        super().__init__(self.estimators)
         self.bounds = {part[0]: BoundRun(core, i, part) for i, part in enumerate(core.bounds())}
         """The bounds by name; none where the truth is not known."""
 
@@ -157,21 +136,17 @@ class Run:
         """A row for each tracker and epoch, units in the names of the columns."""
         return self._core.to_csv()
 
-    def to_dict(self) -> dict[str, Any]:
-        """The run as a dictionary, a copy."""
-        document: dict[str, Any] = json.loads(self.to_json())
-        return document
+    def rows(self) -> list[Row]:
+        """The table of `to_csv`."""
+        columns = columns_of_csv(self.to_csv())
+        return [dict(zip(columns, cells, strict=True)) for cells in zip(*columns.values(), strict=True)]
 
     def to_pandas(self) -> "pandas.DataFrame":
         """The table of `to_csv` as a pandas frame (extra `frames`)."""
-        from .frames import csv_to_pandas
-
         return csv_to_pandas(self.to_csv())
 
     def to_polars(self) -> "polars.DataFrame":
         """The table of `to_csv` as a polars frame (extra `frames`)."""
-        from .frames import csv_to_polars
-
         return csv_to_polars(self.to_csv())
 
     @property
@@ -218,19 +193,6 @@ class Run:
     def unseen(self) -> str | None:
         """What all ranges of one epoch cannot tell apart, in a sentence; None where they show the whole pose."""
         return self._core.unseen
-
-    def __getitem__(self, name: str) -> EstimatorRun:
-        try:
-            return self.estimators[name]
-        except KeyError:
-            known = ", ".join(self.estimators)
-            raise _core.UnknownName(f'no estimator of this run is called "{name}"; there are: {known}') from None
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self.estimators)
-
-    def __len__(self) -> int:
-        return len(self.estimators)
 
     def __reduce__(self) -> tuple[Any, tuple[str]]:
         return Run.from_json, (self.to_json(),)

@@ -12,18 +12,40 @@ import numpy as np
 
 from .. import _core
 from ..arrays import Floats
+from ..families import AnyScenario
 from ..indoor import IndoorScenario
+from ..kinematics import KinematicsScenario
 from ..scenario import Scenario
 
-Kind = Literal["track", "localize", "indoor"]
+Kind = Literal["track", "localize", "indoor", "kinematics"]
+KINDS: tuple[tuple[type, tuple[Kind, ...]], ...] = (
+    (Scenario, ("track", "localize")),
+    (IndoorScenario, ("indoor",)),
+    (KinematicsScenario, ("kinematics",)),
+)
+"""The kinds of studies that each family has, the usual one first."""
 Point = dict[str, Any]
 Grid = Mapping[str, Sequence[Any]]
+
+
+def kind_of(scenario: AnyScenario, wished: Kind | None) -> Kind:
+    """The kind that is wished for, or the usual one of the family.
+
+    Raises:
+        Error: where the family has no such study.
+    """
+    kinds = next(kinds for family, kinds in KINDS if isinstance(scenario, family))
+    if wished is not None and wished not in kinds:
+        raise _core.Error(f"{type(scenario).__name__} has no study of the kind {wished}; there is: {', '.join(kinds)}")
+    return wished or kinds[0]
 
 
 def plan_of(kind: Kind, text: str, trials: int) -> _core.Plan:
     """The study of one point of the grid."""
     if kind == "indoor":
         return _core.Plan.indoor(_core.IndoorScenario(text), trials)
+    if kind == "kinematics":
+        return _core.Plan.kinematics(_core.KinematicsScenario(text), trials)
     scenario = _core.Scenario(text)
     if kind == "localize":
         return _core.Plan.localize(scenario, json.dumps([json.loads(text)["noise"]]), trials)
@@ -62,7 +84,7 @@ def points_of(grid: Grid) -> list[Point]:
     return [dict(zip(grid, values, strict=True)) for values in itertools.product(*grid.values())]
 
 
-def chunks_of(kind: Kind, scenario: Scenario | IndoorScenario, trials: int, size: int) -> Iterator[Chunk]:
+def chunks_of(kind: Kind, scenario: AnyScenario, trials: int, size: int) -> Iterator[Chunk]:
     """The chunks of one point, of about `size` trials each."""
     text = scenario.to_json()
     plan = plan_of(kind, text, trials)

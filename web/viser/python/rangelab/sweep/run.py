@@ -1,24 +1,24 @@
 """A sweep from grid to table."""
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-from .._core import Cancelled, Error
+from .._core import Cancelled
 from ..documents import plain
+from ..families import AnyScenario
 from ..frames import Row, rows_of_report
-from ..indoor import IndoorScenario
 from ..jobs import Progress
-from ..scenario import Scenario
-from .chunks import Chunk, Grid, Kind, chunks_of, joined, points_of
+from .chunks import Chunk, Grid, Kind, Point, chunks_of, joined, kind_of, points_of
 from .engines import Engine, Pending, engine
 from .result import Sweep
 from .store import Store
 
 
 def sweep(
-    scenario: Scenario | IndoorScenario,
+    scenario: AnyScenario,
     grid: Grid,
     trials: int = 1000,
     *,
@@ -34,7 +34,8 @@ def sweep(
         scenario: whose values the grid replaces.
         grid: lists of values by path, as in `{"noise.sigma": [0.01, 0.1], "seed": [1, 2]}`.
         trials: at each point.
-        kind: "track" (trackers and bounds step by step, the default), "localize", or "indoor" for an indoor scenario.
+        kind: "track" (trackers and bounds step by step) or "localize" for a rigid body, "indoor", or "kinematics" for
+            networks of mobile nodes; by default the first that the scenario has.
         on: None (a thread for each processor), how many threads, a `dask.distributed.Client`, "ray", or an executor.
         folder: where done chunks are kept; called again, the sweep goes on from them.
         progress: told how many of how many trials are done; where it returns False the sweep ends with `Cancelled`.
@@ -45,22 +46,36 @@ def sweep(
     >>> sorted({row["noise.sigma"] for row in sweep(room, {"noise.sigma": [0.01, 0.1]}, 20).rows})
     [0.01, 0.1]
     """
-    chosen: Kind = kind or ("indoor" if isinstance(scenario, IndoorScenario) else "track")
-    if (chosen == "indoor") != isinstance(scenario, IndoorScenario):
-        raise Error(f"{type(scenario).__name__} has no study of the kind {chosen}")
-    points = points_of(grid)
-    scenarios = [scenario.replace(point) for point in points]
-    chunks = [list(chunks_of(chosen, each, trials, trials_per_chunk)) for each in scenarios]
+    chosen, points = kind_of(scenario, kind), points_of(grid)
+    tasks = [_Task.of(scenario, point, chosen, trials, trials_per_chunk) for point in points]
     store, told = Store(folder), Told(progress, trials * len(points))
     with engine(on) as chosen_engine:
-        _complete([chunk for each in chunks for chunk in each], store, chosen_engine, told)
-    rows: list[Row] = []
-    for point, each, own in zip(points, scenarios, chunks, strict=True):
-        numbers = [found for chunk in own if (found := store.get(chunk)) is not None]
-        report = joined(chosen, each.to_json(), trials, numbers)
-        rows += [{**plain(point), **row} for row in rows_of_report(report)]
-    about = {"version": version("rangelab"), "kind": chosen, "trials": trials}
-    return Sweep(rows, {**about, "grid": plain(grid), "scenario": scenario.to_dict()})
+        _complete([chunk for task in tasks for chunk in task.chunks], store, chosen_engine, told)
+    about = {"version": version("rangelab"), "kind": chosen, "trials": trials, "grid": plain(grid)}
+    rows = [row for task in tasks for row in task.rows(store)]
+    return Sweep(rows, {**about, "scenario": scenario.to_dict()})
+
+
+@dataclass(frozen=True)
+class _Task:
+    """One point of the grid."""
+
+    kind: Kind
+    point: Point
+    text: str
+    trials: int
+    chunks: list[Chunk]
+
+    @classmethod
+    def of(cls, scenario: AnyScenario, point: Point, kind: Kind, trials: int, size: int) -> "_Task":
+        own: AnyScenario = scenario.replace(point)
+        return cls(kind, point, own.to_json(), trials, list(chunks_of(kind, own, trials, size)))
+
+    def rows(self, store: Store) -> list[Row]:
+        """Its part of the table, once all its chunks are done."""
+        numbers = [found for chunk in self.chunks if (found := store.get(chunk)) is not None]
+        report = joined(self.kind, self.text, self.trials, numbers)
+        return [{**plain(self.point), **row} for row in rows_of_report(report)]
 
 
 class Told:

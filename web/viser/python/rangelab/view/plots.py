@@ -1,87 +1,95 @@
-"""The plots: errors of each tracker on a logarithmic scale, their bounds dashed."""
+"""Plots in the panel by uPlot: lines in the estimators' colours, bounds dashed, a legend that switches lines."""
 
-from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 import viser
 from viser import uplot
 
 from ..arrays import Floats
-from ..run import BoundRun, EstimatorRun, Run
-from .colours import BOUNDS, LIGHT
+from .looks import Look
+from .themes import Theme
+
+HEIGHT = 230
 
 
+@dataclass(frozen=True)
+class Line:
+    """One line."""
+
+    look: Look
+    values: Floats
+    width: float = 2.0
+    dots: bool = False
+    """Whether it is dots where there are numbers, and no line."""
+
+
+@dataclass(frozen=True)
 class Plot:
-    """One plot in a panel."""
+    """Lines over one axis; units are in the title and in the name of the axis."""
 
-    def __init__(
-        self,
-        server: viser.ViserServer,
-        folder: viser.GuiFolderHandle,
-        title: str,
-        of: Callable[[EstimatorRun], Floats],
-        bound: Callable[[BoundRun], Floats] | None,
-        logarithmic: bool = True,
-    ) -> None:
-        self._server, self._folder = server, folder
-        self._title, self._of, self._bound = title, of, bound
-        self._logarithmic = logarithmic
-        self._handle: viser.GuiUplotHandle | None = None
-        self._series: tuple[uplot.Series, ...] = ()
+    title: str
+    x: Floats
+    lines: tuple[Line, ...]
+    axis: str = "time, s"
+    logarithmic: bool = True
 
-    def draw(self, run: Run) -> None:
-        """Draws a run; where it has other trackers the plot is made anew."""
-        lines = self._lines(run)
-        series: tuple[uplot.Series, ...] = ({"label": "s"}, *(look for look, _ in lines))
-        data = (run.times, *(values for _, values in lines))
-        if self._handle is not None and series == self._series:
-            self._handle.data = data
+
+def expected(times: Floats, value: float = 1.0) -> Line:
+    """Where a line would lie if covariances were right."""
+    return Line(Look("expected", "bound", dash=(2, 4)), np.full(len(times), value), 1.0)
+
+
+class Plots:
+    """The plots of a panel; what has the same lines as before is given new numbers only."""
+
+    def __init__(self, server: viser.ViserServer, container: viser.GuiFolderHandle | viser.GuiTabHandle) -> None:
+        self._server, self._container = server, container
+        self._handles: list[viser.GuiUplotHandle] = []
+        self._kinds: list[object] = []
+
+    def draw(self, plots: list[Plot], theme: Theme) -> None:
+        """Draws those that have lines, in their order."""
+        plots = [plot for plot in plots if plot.lines]
+        kinds: list[object] = [(plot.title, plot.axis, plot.logarithmic, _series(plot, theme)) for plot in plots]
+        if kinds != self._kinds:
+            for handle in self._handles:
+                handle.remove()
+            with self._container:
+                self._handles = [self._made(plot, theme) for plot in plots]
+            self._kinds = kinds
             return
-        if self._handle is not None:
-            self._handle.remove()
-        self._series = series
-        with self._folder:
-            self._handle = self._server.gui.add_uplot(
-                data,
-                series,
-                title=self._title,
-                scales={"x": {"time": False}, "y": {"distr": 3 if self._logarithmic else 1}},
-                axes=({"label": "time, s", "size": 28, "labelSize": 20}, {"size": 62}),
-                padding=(12, 24, 0, 0),
-                legend={"show": True, "live": False},
-                height=220,
-            )
+        for plot, handle in zip(plots, self._handles, strict=True):
+            handle.data = _data(plot)
 
-    def _lines(self, run: Run) -> list[tuple[uplot.Series, Floats]]:
-        lines: list[tuple[uplot.Series, Floats]] = []
-        if self._bound is not None:
-            for name, (label, dash) in BOUNDS.items():
-                if name in run.bounds and (name != "posterior_crb_raw" or "eskf-raw" in run.estimators):
-                    look: uplot.Series = {"label": label, "stroke": LIGHT["bound"], "width": 1.5, "dash": dash}
-                    lines.append((look, self._shown(self._bound(run.bounds[name]))))
-        for name, each in run.estimators.items():
-            lines.append(({"label": each.label, "stroke": LIGHT[name], "width": 2}, self._shown(self._of(each))))
-        return lines
-
-    def _shown(self, values: Floats) -> Floats:
-        """On a logarithmic scale nothing is at or below 0."""
-        return np.where(values > 0, values, np.nan) if self._logarithmic else values
+    def _made(self, plot: Plot, theme: Theme) -> viser.GuiUplotHandle:
+        return self._server.gui.add_uplot(
+            _data(plot),
+            _series(plot, theme),
+            title=plot.title,
+            scales={"x": {"time": False}, "y": {"distr": 3 if plot.logarithmic else 1}},
+            axes=({"label": plot.axis, "size": 28, "labelSize": 20}, {"size": 62}),
+            padding=(12, 24, 0, 0),
+            legend={"show": True, "live": False},
+            height=HEIGHT,
+        )
 
 
-def plots(server: viser.ViserServer, folder: viser.GuiFolderHandle) -> list[Plot]:
-    """The page's plots of one run."""
-    return [
-        Plot(
-            server,
-            folder,
-            "Orientation error, deg",
-            lambda each: np.degrees(each.orientation_errors),
-            lambda bound: np.degrees(bound.orientation),
-        ),
-        Plot(server, folder, "Position error, m", lambda each: each.position_errors, lambda bound: bound.position),
-        Plot(server, folder, "NEES over its degrees of freedom", _nees, None),
-    ]
+def _data(plot: Plot) -> tuple[Floats, ...]:
+    """On a logarithmic scale nothing is at or below 0."""
+    if not plot.logarithmic:
+        return (plot.x, *(line.values for line in plot.lines))
+    return (plot.x, *(np.where(line.values > 0, line.values, np.nan) for line in plot.lines))
 
 
-def _nees(each: EstimatorRun) -> Floats:
-    return np.asarray(each.nees / each.numbers("nees_degrees_of_freedom"))
+def _series(plot: Plot, theme: Theme) -> tuple[uplot.Series, ...]:
+    lines: list[uplot.Series] = []
+    for line in plot.lines:
+        colour = theme.css(line.look.token)
+        series: uplot.Series = {"label": line.look.label, "stroke": colour, "width": line.width * theme.weight}
+        if line.look.dash:
+            series["dash"] = tuple(theme.weight * part for part in line.look.dash)
+        if line.dots:
+            series |= {"width": 0, "points": {"show": True, "size": 7 * theme.weight, "fill": colour}}
+        lines.append(series)
+    return ({"label": plot.axis}, *lines)

@@ -16,6 +16,11 @@ def lifted(points: Floats) -> Floats:
     return flat
 
 
+def known(points: Floats) -> Floats:
+    """Those of some points (P x D) that have all their coordinates."""
+    return points[np.isfinite(points).all(axis=1)]
+
+
 def magnified(positions: Floats, truth: Floats, times: float) -> Floats:
     """Estimates with their errors so many times as large; as they are where the truth is not known."""
     return np.where(np.isfinite(truth), truth + times * (positions - truth), positions)
@@ -111,3 +116,34 @@ def rotation(wxyz: Floats, dimension: int) -> Floats:
             [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
         ]
     )
+
+
+def dashed(segments: Floats, on: int = 2, off: int = 1) -> Floats:
+    """Some of the segments, some left out, again and again."""
+    return segments[np.arange(len(segments)) % (on + off) < on]
+
+
+def box(low: Floats, high: Floats, *, flat: bool) -> tuple[Floats, np.ndarray, np.ndarray]:
+    """The box between two corners (3, m): vertices (V x 3), faces (F x 3) and edges (E x 2); flat, its floor alone."""
+    ring = np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
+    floor = np.where(np.c_[ring, np.zeros(4, int)] == 1, high, low)
+    around = np.array([[0, 1], [1, 2], [2, 3], [3, 0]])
+    level = np.array([[0, 1, 2], [0, 2, 3]])
+    if flat:
+        return floor, level, around
+    roof = floor.copy()
+    roof[:, 2] = high[2]
+    sides = [[[i, j, j + 4], [i, j + 4, i + 4]] for i, j in around]
+    faces = np.concatenate([level, level + 4, np.array(sides).reshape(-1, 3)])
+    return (
+        np.concatenate([floor, roof]),
+        faces,
+        np.concatenate([around, around + 4, np.c_[np.arange(4), np.arange(4) + 4]]),
+    )
+
+
+def divided(segments: Floats, parts: int) -> Floats:
+    """Each segment (S x 2 x 3) in so many equal parts."""
+    shares = np.linspace(0.0, 1.0, parts + 1)[:, None]
+    points = segments[:, :1] * (1 - shares) + segments[:, 1:] * shares
+    return np.stack([points[:, :-1], points[:, 1:]], axis=2).reshape(-1, 2, 3)

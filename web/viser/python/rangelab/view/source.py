@@ -4,15 +4,14 @@ import json
 from pathlib import Path
 
 from .._core import Error
+from ..families import preset_named, scenario_of
 from ..link import from_link
 from ..recording import Recording
-from ..scenario import Scenario
-
-Source = Scenario | Recording
+from .picture import Source
 
 
 def opened(what: str) -> Source:
-    """A link, a file with a scenario or a recording, or a preset.
+    """A link, a file with a scenario of any family or a recording, or a preset.
 
     Raises:
         Error: with all that is wrong with it.
@@ -21,11 +20,12 @@ def opened(what: str) -> Source:
         return from_link(what)
     path = Path(what)
     if not (path.suffix or path.exists()):
-        return Scenario.preset(what)
+        return preset_named(what)
     text = path.read_text(encoding="utf-8")
     try:
         document = json.loads(text)
     except json.JSONDecodeError as error:
         raise Error(f"{what} is no JSON: {error}") from None
-    is_recording = isinstance(document, dict) and "epochs" in document
-    return Recording(text) if is_recording else Scenario(text)
+    if isinstance(document, dict) and "epochs" in document:
+        return Recording(text)
+    return scenario_of(text)

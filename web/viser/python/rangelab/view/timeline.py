@@ -5,7 +5,7 @@ from collections.abc import Callable
 
 import viser
 
-from .handles import put
+from .values import put
 
 
 class Timeline:
@@ -17,13 +17,24 @@ class Timeline:
         with server.gui.add_folder("Time"):
             self._slider = server.gui.add_slider("step", 0, max(steps - 1, 1), 1, max(steps - 1, 0))
             self._buttons = server.gui.add_button_group("move", ("◀", "▶", "play", "pause"))
-            self._speed = server.gui.add_number("steps a second", 10.0, min=0.5, max=60.0, step=0.5)
-            self.magnify = server.gui.add_number("errors drawn, times", 10.0, min=0.1, step=0.1)
+            self._magnify = server.gui.add_number("errors drawn, ×", 10.0, min=0.1, step=1.0)
+            self._magnify.precision = 2
+            with server.gui.add_folder("Playing", expand_by_default=False):
+                self._speed = server.gui.add_number("steps a second", 10.0, min=0.5, max=60.0, step=0.5)
         self._slider.on_update(lambda _: changed())
-        self.magnify.on_update(lambda _: changed())
+        self._magnify.on_update(lambda _: changed())
         self._buttons.on_click(lambda event: self._press(event.target.value))
         self._thread = threading.Thread(target=self._play, name="rangelab-play", daemon=True)
         self._thread.start()
+
+    @property
+    def magnification(self) -> float:
+        """How many times as large errors are drawn."""
+        return float(self._magnify.value)
+
+    def magnify_by(self, times: float) -> None:
+        """Draws errors so many times as large."""
+        put(self._magnify, times)
 
     @property
     def step(self) -> int:

@@ -2,46 +2,61 @@
 
 import threading
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import viser
 
-from ..arrays import Floats
-from ..scenario import Scenario
-from .controls import Controls
-from .plots import plots
+from ..families import preset_summary
+from ..recording import Recording
+from . import shapes
+from .canvas import Canvas
+from .file_panel import FilePanel
+from .gizmos import Gizmos
+from .labs import LABS, computed, lab_of
+from .panel import Panel
+from .picture import Picture, Source, Wish
+from .plots import Plots
 from .port import PortTakenError, free_port
 from .save import recorded
-from .scene import Scene
-from .source import Source
-from .state import Shown, Studio, Wish
+from .stage import Stage
+from .state import Studio
+from .themes import THEMES
 from .timeline import Timeline
+
+PANEL_WIDTH = 400
 
 
 class Viewer:
-    """Serves a scenario or recording until `stop`; `port` 0 takes any free one.
+    """Serves a document until `stop`; `port` 0 takes any free one, `lab` is one of `rangelab.view.labs.LABS`.
 
     Raises:
         PortTakenError: where another program listens at the port, with advice.
+        Error: where the document cannot be computed, in a sentence.
     """
 
-    def __init__(self, source: Source, *, host: str = "127.0.0.1", port: int = 8080, page: str = "") -> None:
+    def __init__(
+        self,
+        source: Source,
+        *,
+        lab: str | None = None,
+        theme: str = "light",
+        host: str = "127.0.0.1",
+        port: int = 8080,
+        page: str = "",
+    ) -> None:
+        wish = Wish(source, lab_of(source, lab))
         asked = free_port(host, port)
         self._server = viser.ViserServer(host=host, port=asked, label="rangelab", verbose=False)
         if self._server.get_port() != asked:
             self._server.stop()
             raise PortTakenError(f"port {asked} was taken by another program just now; try again or choose another")
-        self._host, self._drawing = host, threading.Lock()
-        self._studio = Studio(Wish(source), self._show, self._refuse)
-        self._note = self._server.gui.add_markdown("")
-        self._timeline = Timeline(self._server, len(self.shown.run.times), self.draw)
-        self._scene = Scene(self._server, self._moved, self._posed)
-        self._plots = plots(self._server, self._server.gui.add_folder("Plots"))
-        self._controls = Controls(self._server, self._studio, self.open, page)
-        self._save_buttons()
-        self._server.gui.configure_theme(control_width="large", show_share_button=False)
-        self._scene.frame(self.shown)
+        self._host, self._drawing = host, threading.RLock()
+        self._theme = THEMES[theme]
+        self._studio = Studio(wish, computed, self._show, self._refuse)
+        self._canvas = Canvas(self._server, self._theme)
+        self._gizmos = Gizmos(self._server, self._theme, self._studio.edit)
+        self._stage = Stage(self._server)
+        self._lay_out(theme, page)
         self._show(self.shown)
 
     @property
@@ -55,8 +70,8 @@ class Viewer:
         return self._server.get_port()
 
     @property
-    def shown(self) -> Shown:
-        """What is shown: the last run that could be computed."""
+    def shown(self) -> Picture:
+        """What is shown: the last that could be computed."""
         return self._studio.good
 
     @property
@@ -64,16 +79,24 @@ class Viewer:
         """The server, to which programs may add what they like."""
         return self._server
 
-    def open(self, source: Scenario) -> None:
-        """Shows another scenario."""
-        self._studio.ask(source=source)
+    def open(self, source: Source, lab: str | None = None) -> None:
+        """Shows another document."""
+        self._studio.ask(source=source, lab=lab_of(source, lab), trial=0)
+
+    def look(self, theme: str) -> None:
+        """Shows it in another theme: light, dark or projector."""
+        with self._drawing:
+            self._theme = self._canvas.theme = THEMES[theme]
+            self._gizmos.recolour(self._theme)
+            self._canvas.clear()
+            self._stage.dress(self._theme)
+            self._stage.frame(self.shown.outline, self._theme, camera=False)
+            self._plots.draw(self.shown.plots(), self._theme)
+            self.draw()
 
     def draw(self) -> None:
         """Draws the scene at the step of the timeline."""
-        with self._drawing:
-            shown = self.shown
-            step = min(self._timeline.step, len(shown.run.times) - 1)
-            self._scene.draw(shown, step, float(self._timeline.magnify.value))
+        self._draw(self._timeline.step)
 
     def save(self, path: str | Path) -> None:
         """Writes the run as a player: one HTML file, or a `.viser` recording.
@@ -84,7 +107,15 @@ class Viewer:
         path = Path(path)
         if path.suffix not in (".html", ".viser"):
             raise ValueError(f"{path.name}: the file ends in .html or .viser")
-        path.write_bytes(self._recorded(path.suffix))
+        path.write_bytes(self.recorded(path.suffix))
+
+    def recorded(self, ending: str) -> bytes:
+        """What `save` writes into a file of this ending."""
+        steps = len(self.shown.times)
+        try:
+            return recorded(self._server, self._draw, steps, ending)
+        finally:
+            self.draw()
 
     def wait(self) -> None:
         """Serves on."""
@@ -96,64 +127,79 @@ class Viewer:
         self._studio.stop()
         self._server.stop()
 
-    def _show(self, shown: Shown) -> None:
-        self._timeline.resize(len(shown.run.times))
-        self.draw()
-        for plot in self._plots:
-            plot.draw(shown.run)
-        if isinstance(shown.wish.source, Scenario):
-            self._controls.follow(shown.wish.source)
-        self._say(shown)
+    def _lay_out(self, theme: str, page: str) -> None:
+        """The panels: what is told and controls on the right, plots below them."""
+        gui = self._server.gui
+        self._stage.dress(self._theme)
+        gui.set_panel_label("rangelab")
+        self._note = gui.add_markdown("")
+        self._timeline = Timeline(self._server, len(self.shown.times), self.draw)
+        self._tabs: viser.GuiTabGroupHandle | None = None
+        self._panel: Panel | None = None
+        self._controls = gui.add_folder("Controls")
+        self._file = FilePanel(self._server, self, self._studio, theme, page)
+        plots = gui.add_panel()
+        self._plots = Plots(self._server, plots.add_tab("Plots"))
+        gui.main_panel.dock_right()
+        plots.dock_below(gui.main_panel)
+        gui.main_panel.set_width(PANEL_WIDTH)
+        self._lab, self._framed = "", ("", "")
 
-    def _say(self, shown: Shown) -> None:
-        run = shown.run
-        stopped = [f"{each.label} stopped: {each.failure[1]}" for each in run.estimators.values() if each.failure]
-        sentences = [run.unseen or "", *stopped, _range_of(shown)]
-        self._note.content = "\n\n".join([f"**{run.name}**", *filter(None, sentences)])
+    def _show(self, picture: Picture) -> None:
+        with self._drawing:
+            if picture.wish.lab != self._lab:
+                self._change_lab(picture.wish.lab)
+            if (picture.wish.lab, picture.name) != self._framed:
+                self._frame(picture)
+            self._timeline.resize(len(picture.times))
+            self.draw()
+            self._plots.draw(picture.plots(), self._theme)
+            self._file.follow(picture.wish)
+            if self._panel is not None and not isinstance(picture.wish.source, Recording):
+                self._panel.follow(picture.wish.source)
+            self._say(picture)
+
+    def _frame(self, picture: Picture) -> None:
+        """Another scene: the view on all of it, at its end."""
+        self._framed = (picture.wish.lab, picture.name)
+        self._gizmos.clear()
+        self._stage.frame(picture.outline, self._theme)
+        self._timeline.magnify_by(picture.magnification)
+        self._timeline.resize(len(picture.times))
+        self._timeline.show(len(picture.times) - 1)
+
+    def _change_lab(self, name: str) -> None:
+        """Other controls."""
+        self._lab = name
+        if self._tabs is not None:
+            self._tabs.remove()
+        panel = Panel(self._server, self._studio)
+        with self._controls:
+            self._tabs = self._server.gui.add_tab_group()
+        for title, controls in LABS[self._lab].tabs:
+            with self._tabs.add_tab(title):
+                controls(panel)
+        self._panel = panel
+
+    def _draw(self, step: int) -> None:
+        with self._drawing:
+            picture = self.shown
+            extent = float(np.ptp(shapes.known(picture.outline), axis=0).max()) or 1.0
+            self._canvas.unit = extent
+            self._gizmos.show(picture.handles(), extent)
+            with self._canvas.drawing():
+                picture.draw(self._canvas, min(step, len(picture.times) - 1), self._timeline.magnification)
+
+    def _say(self, picture: Picture) -> None:
+        source = picture.wish.source
+        teaching = "" if isinstance(source, Recording) else preset_summary(source)
+        told = [f"**{picture.name}** {teaching}".strip(), *picture.sentences()]
+        self._note.content = "\n\n".join(told)
 
     def _refuse(self, sentence: str) -> None:
         self._note.content = f"**Not possible:** {sentence}"
-        if self._studio.scenario is not None:
-            self._controls.follow(self._studio.scenario)
-
-    def _moved(self, anchor: int, place: Floats) -> None:
-        self._studio.edit(lambda scenario: scenario.replace({f"anchors[{anchor}]": place}))
-
-    def _posed(self, orientation: Floats, position: Floats) -> None:
-        start = {"start.orientation": orientation, "start.position": position}
-        self._studio.edit(lambda scenario: scenario.replace(start))
-
-    def _recorded(self, ending: str) -> bytes:
-        steps = len(self.shown.run.times)
-        before = self._timeline.step
-
-        def show(step: int) -> None:
-            with self._drawing:
-                self._scene.draw(self.shown, step, float(self._timeline.magnify.value))
-
-        try:
-            return recorded(self._server, show, steps, ending)
-        finally:
-            show(min(before, steps - 1))
-
-    def _save_buttons(self) -> None:
-        with self._server.gui.add_folder("Save", expand_by_default=False):
-            for label, ending in (("one HTML file", ".html"), (".viser recording", ".viser")):
-                button = self._server.gui.add_button(label)
-
-                @button.on_click
-                def _(event: viser.GuiEvent[Any], ending: str = ending) -> None:
-                    name = self.shown.run.name or "rangelab"
-                    (event.client or self._server).send_file_download(f"{name}{ending}", self._recorded(ending))
-
-
-def _range_of(shown: Shown) -> str:
-    """What the colours of the field mean."""
-    if shown.field is None or not np.isfinite(shown.field.values).any():
-        return ""
-    source = shown.wish.source
-    assert isinstance(source, Scenario)
-    of = source.to_dict()["field"]["quantity"]
-    factor, unit = (1e3, "mm") if of == "position" else (float(np.degrees(1.0)), "deg")
-    low, high = factor * np.nanmin(shown.field.values), factor * np.nanmax(shown.field.values)
-    return f"Bound of the {of}: {low:.3g} {unit} (dark) to {high:.3g} {unit} (bright)."
+        document = self._studio.document
+        if document is not None and self._panel is not None:
+            self._panel.follow(document)
+        # A handle that was dragged to where nothing can be goes back.
+        self.draw()

@@ -1,0 +1,79 @@
+"""What the labs draw alike: the truth, the body, what estimators found of it."""
+
+import numpy as np
+
+from ...arrays import Flags, Floats
+from .. import shapes
+from ..canvas import Canvas
+from ..looks import Look
+from ..plots import Line
+
+LARGEST_ERROR = 0.08
+"""Share of the scene that the largest error is drawn as, at most."""
+VISIBLE_SHARE, DRAWN_SHARE = 0.08, 0.15
+"""A body smaller than the first share of the scene is too small to see and is drawn as large as the second."""
+WIDEST_RIM = 3.0
+"""How much wider than the last the first of many tracks is drawn, pixels."""
+
+
+def magnification(errors: list[Floats], extent: float, share: float = LARGEST_ERROR) -> float:
+    """How many times larger errors are drawn, a round number, so that the largest is seen; at least 1."""
+    known = [each[np.isfinite(each)] for each in errors]
+    largest = max((float(each.max()) for each in known if len(each)), default=0.0)
+    if largest <= 0:
+        return 1.0
+    wanted = share * extent / largest
+    decade = 10.0 ** np.floor(np.log10(wanted))
+    return max(1.0, float(max(n * decade for n in (1, 2, 5) if n * decade <= wanted)))
+
+
+def body_scale(sensors: Floats, extent: float) -> float:
+    """How many times as large a body (N x D, m) is drawn, so that it is seen in a scene of this extent; at least 1."""
+    radius = max(float(np.linalg.norm(sensors, axis=1).max()), 1e-9)
+    share = radius / (extent / 2)
+    return 1.0 if share >= VISIBLE_SHARE else float(np.floor(DRAWN_SHARE / share))
+
+
+def scale_sentence(scale: float) -> list[str]:
+    """That a body is drawn larger than it is."""
+    return [] if scale == 1.0 else [f"The body is drawn {scale:.0f} times as large as it is."]
+
+
+def extent_of(points: Floats) -> float:
+    """The longest edge of the box around points (P x D), m."""
+    return float(np.ptp(shapes.known(points), axis=0).max()) or 1.0
+
+
+def draw_truth(canvas: Canvas, orientations: Floats, positions: Floats, sensors: Floats, step: int) -> None:
+    """The true track (K x D), heavier up to the step, and the body at it."""
+    canvas.lines("/truth/past", shapes.path(positions[: step + 1]), "truth", 4.0)
+    canvas.lines("/truth/path", shapes.path(positions), "truth", 1.5)
+    corners = shapes.body(orientations[step], positions[step], sensors)
+    canvas.lines("/truth/body", shapes.pairs(shapes.lifted(corners)), "truth", 3.0)
+
+
+def draw_track(canvas: Canvas, name: str, look: Look, positions: Floats, step: int, rim: float) -> None:
+    """An estimated track (K x D), magnified already; earlier estimators are wider by a rim, so that all are seen."""
+    segments = shapes.path(positions)
+    if look.dash:
+        segments = shapes.dashed(segments)
+    canvas.lines(f"/estimators/{name}/path", segments, look.token, 1.5 + rim)
+    canvas.marks(f"/estimators/{name}/mark", shapes.lifted(positions[step : step + 1]), look, 1.0 + 0.25 * rim)
+
+
+def draw_ranges(canvas: Canvas, anchors: Floats, sensors: Floats, present: Flags) -> None:
+    """A line for each range (M x N) that was measured."""
+    canvas.lines("/ranges", shapes.between(anchors, sensors, present), "range", 1.0)
+
+
+def rims(count: int) -> list[float]:
+    """How much wider each of several tracks is drawn than the last, pixels."""
+    each = min(0.6, WIDEST_RIM / max(count - 1, 1))
+    return [each * (count - 1 - index) for index in range(count)]
+
+
+def lines_of(looks: dict[str, Look], values: dict[str, Floats], factor: float = 1.0) -> tuple[Line, ...]:
+    """A line for each estimator that has numbers."""
+    shown = {name: factor * each for name, each in values.items() if np.isfinite(each).any()}
+    widths = rims(len(shown))
+    return tuple(Line(looks[name], each, 1.5 + rim) for (name, each), rim in zip(shown.items(), widths, strict=True))

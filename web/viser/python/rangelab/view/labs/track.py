@@ -1,0 +1,220 @@
+"""A rigid body tracked through time: estimators side by side with their bounds, and the bound over a plane."""
+
+from dataclasses import dataclass
+from dataclasses import field as entry
+from typing import Any
+
+import numpy as np
+
+from ...arrays import Floats
+from ...field import Field
+from ...recording import Recording
+from ...run import EstimatorRun, Run
+from ...scenario import Scenario
+from .. import shapes
+from ..canvas import Canvas
+from ..looks import TRACK_BOUNDS, TRACKERS
+from ..picture import Handle, Wish
+from ..plots import Line, Plot, expected
+from . import drawing
+from .obstacles import draw_obstacles, obstacle_handles
+
+FIELD_CELLS = 48
+
+
+@dataclass
+class TrackPicture:
+    """A run of trackers, and the field where it is wished for."""
+
+    wish: Wish
+    run: Run
+    field: Field | None
+    document: dict[str, Any] = entry(default_factory=dict)
+    """The scenario; empty where the run is one of a recording."""
+
+    @property
+    def name(self) -> str:
+        """What people call it."""
+        return self.run.name
+
+    @property
+    def times(self) -> Floats:
+        """Time of each epoch, s: K."""
+        return self.run.times
+
+    @property
+    def outline(self) -> Floats:
+        """Anchors and the true track."""
+        return np.concatenate([self.run.anchors, self.run.truth_positions])
+
+    @property
+    def magnification(self) -> float:
+        """10 as on the page's default scene, fewer where errors would leave it."""
+        errors = [each.position_errors[len(each.position_errors) // 2 :] for each in self.run.estimators.values()]
+        return min(10.0, drawing.magnification(errors, drawing.extent_of(self.outline), 0.5))
+
+    @property
+    def body(self) -> Floats:
+        """The sensors as they are drawn, in the body frame, m: N x D."""
+        return self.run.sensors * drawing.body_scale(self.run.sensors, drawing.extent_of(self.outline))
+
+    def sentences(self) -> list[str]:
+        """What ranges do not show, who stopped and why, and what the colours of the field mean."""
+        run = self.run
+        stopped = [f"{each.label} stopped: {each.failure[1]}" for each in run.estimators.values() if each.failure]
+        scale = drawing.body_scale(run.sensors, drawing.extent_of(self.outline))
+        told = [run.unseen or "", *stopped, self._field_sentence(), *drawing.scale_sentence(scale)]
+        return list(filter(None, told))
+
+    def handles(self) -> list[Handle]:
+        """Anchors, the body's start, obstacles; a recording has none."""
+        source = self.wish.source
+        if not isinstance(source, Scenario):
+            return [_anchor(m, place, fixed=True) for m, place in enumerate(self.run.anchors)]
+        document = source.to_dict()
+        return [*anchor_handles(document), *_way_points(document), *obstacle_handles(document)]
+
+    def plots(self) -> list[Plot]:
+        """The page's plots of one run."""
+        trackers = self.run.estimators
+        degrees = float(np.degrees(1.0))
+        angles = {name: each.orientation_errors for name, each in trackers.items()}
+        positions = {name: each.position_errors for name, each in trackers.items()}
+        defects = {name: each.defects for name, each in trackers.items() if (each.defects > 1e-9).any()}
+        nees = {name: _share(each, "nees") for name, each in trackers.items()}
+        nis = {name: np.append(np.nan, _share(each, "nis")[1:]) for name, each in trackers.items()}
+        lines, bounds = drawing.lines_of, self._bounds
+        return [
+            self._plot("Orientation error, deg", bounds("orientation", degrees) + lines(TRACKERS, angles, degrees)),
+            self._plot("Position error, m", bounds("position", 1.0) + lines(TRACKERS, positions)),
+            self._plot("Defect ‖QᵀQ − I‖", lines(TRACKERS, defects) + self._events(defects)),
+            self._plot("NEES / dof", (*lines(TRACKERS, nees), expected(self.times))),
+            self._plot("NIS / dof, from step 2 on", (*lines(TRACKERS, nis), expected(self.times))),
+        ]
+
+    def draw(self, canvas: Canvas, step: int, magnify: float) -> None:
+        """Track, body, ranges, estimates with their ellipsoids, obstacles, the field."""
+        run, truth = self.run, self.run.truth_positions
+        if np.isfinite(truth).all():
+            drawing.draw_truth(canvas, run.truth_orientations, truth, self.body, step)
+            sensors = shapes.body(run.truth_orientations[step], truth[step], self.body)
+            drawing.draw_ranges(canvas, run.anchors, sensors, run.present[step])
+        for (name, each), rim in zip(run.estimators.items(), drawing.rims(len(run.estimators)), strict=True):
+            self._draw_estimate(canvas, name, each, step, magnify, rim)
+        if self.document:
+            draw_obstacles(canvas, self.document, self.outline)
+        if self.field is not None:
+            canvas.field("/field", self.field)
+
+    def _draw_estimate(
+        self, canvas: Canvas, name: str, each: EstimatorRun, step: int, magnify: float, rim: float
+    ) -> None:
+        look, run = TRACKERS[name], self.run
+        positions = shapes.magnified(each.positions, run.truth_positions, magnify)
+        drawing.draw_track(canvas, name, look, positions, step, rim)
+        events = shapes.lifted(positions[each.events])
+        canvas.marks(f"/estimators/{name}/events", events, look, 0.3)
+        if np.isfinite(positions[step]).all():
+            corners = shapes.body(each.orientations[step], positions[step], self.body)
+            canvas.lines(f"/estimators/{name}/body", shapes.pairs(shapes.lifted(corners)), look.token, 2.0)
+            covariance = each.position_covariances[step]
+            canvas.ellipsoid(f"/estimators/{name}/ellipsoid", covariance, positions[step], magnify, look.token)
+
+    def _plot(self, title: str, lines: tuple[Line, ...]) -> Plot:
+        return Plot(title, self.times, lines)
+
+    def _bounds(self, of: str, factor: float) -> tuple[Line, ...]:
+        """The bounds that say something about those that run."""
+        run = self.run
+        names = [name for name in TRACK_BOUNDS if name in run.bounds]
+        shown = [name for name in names if name != "posterior_crb_raw" or "eskf-raw" in run.estimators]
+        return tuple(Line(TRACK_BOUNDS[name], factor * getattr(run.bounds[name], of), 1.5) for name in shown)
+
+    def _events(self, defects: dict[str, Floats]) -> tuple[Line, ...]:
+        """Where the ET-KF projected."""
+        if "et-kf" not in defects:
+            return ()
+        look = TRACKERS["et-kf"]
+        values = np.where(self.run["et-kf"].events, defects["et-kf"], np.nan)
+        named = type(look)("ET-KF projected", look.token, look.mark)
+        return (Line(named, values, dots=True),)
+
+    def _field_sentence(self) -> str:
+        if self.field is None or not np.isfinite(self.field.values).any():
+            return ""
+        source = self.wish.source
+        assert isinstance(source, Scenario)
+        document = source.to_dict()
+        subject, of = document["field"]["subject"], document["field"]["quantity"]
+        of = of if subject == "body" else document["placement"]["target"]
+        factor, unit = (float(np.degrees(1.0)), "deg") if of == "orientation" else (1e3, "mm")
+        low, high = factor * np.nanmin(self.field.values), factor * np.nanmax(self.field.values)
+        where = "" if subject == "body" else ", one more anchor there"
+        return f"Bound of the {of}{where}: {low:.3g} {unit} (dark) to {high:.3g} {unit} (bright)."
+
+
+def track(wish: Wish) -> TrackPicture:
+    """Runs the crate.
+
+    Raises:
+        Error: in a sentence.
+    """
+    source = wish.source
+    if isinstance(source, Recording):
+        settings = {} if wish.estimators is None else {"enabled": list(wish.estimators)}
+        return TrackPicture(wish, source.run(settings), None)
+    assert isinstance(source, Scenario)
+    found = source.field(FIELD_CELLS) if wish.field else None
+    return TrackPicture(wish, source.run(wish.trial), found, source.to_dict())
+
+
+def _share(each: EstimatorRun, of: str) -> Floats:
+    """Over its degrees of freedom, so that estimators with different ones can be compared."""
+    freedom = each.numbers(f"{of}_degrees_of_freedom")
+    numbers = each.numbers(of)
+    return np.divide(numbers, freedom, out=np.full_like(numbers, np.nan), where=freedom > 0)
+
+
+def _anchor(m: int, place: Floats, *, fixed: bool = False) -> Handle:
+    return Handle(
+        f"/anchors/{m}",
+        f"A{m + 1}",
+        place,
+        lambda to, _: lambda scenario: scenario.replace({f"anchors[{m}]": to}),
+        fixed=(fixed, fixed, fixed),
+    )
+
+
+def anchor_handles(document: dict[str, Any]) -> list[Handle]:
+    """The anchors, unless they are drawn anew for every trial, and the body's start."""
+    drawn = document["redraw_anchors"] is not None
+    anchors = [_anchor(m, np.array(place), fixed=drawn) for m, place in enumerate(document["anchors"])]
+    return [*anchors, _start(document["start"])]
+
+
+def _way_points(document: dict[str, Any]) -> list[Handle]:
+    """The points of a path drawn by hand."""
+    points = (document["motion"]["path"] or {}).get("points", [])
+    return [_way_point(i, np.array(place)) for i, place in enumerate(points)]
+
+
+def _way_point(i: int, place: Floats) -> Handle:
+    return Handle(
+        f"/way/{i}",
+        str(i + 1),
+        place,
+        lambda to, _: lambda scenario: scenario.replace({f"motion.path.points[{i}]": to}),
+        token="accent",
+        size=0.6,
+    )
+
+
+def _start(start: dict[str, Any]) -> Handle:
+    return Handle(
+        "/start",
+        "start",
+        np.array(start["position"]),
+        lambda to, turned: lambda scenario: scenario.replace({"start.orientation": turned, "start.position": to}),
+        orientation=np.array(start["orientation"]),
+        size=0.7,
+    )

@@ -1,0 +1,103 @@
+"""What the viewer shows of any document."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any, Protocol
+
+from ..arrays import Floats
+from ..documents import Written
+from ..indoor import IndoorScenario
+from ..kinematics import KinematicsScenario
+from ..recording import Recording
+from ..scenario import Scenario
+from .canvas import Canvas
+from .plots import Plot
+
+Document = Scenario | IndoorScenario | KinematicsScenario
+Source = Document | Recording
+Change = Callable[[Any], Written]
+"""A document with an edit."""
+
+
+@dataclass(frozen=True)
+class Wish:
+    """What is to be computed and shown."""
+
+    source: Source
+    lab: str
+    """A name of `labs.LABS`."""
+    trial: int = 0
+    field: bool = False
+    """Whether the bound over a plane is wished for too."""
+    estimators: tuple[str, ...] | None = None
+    """Those that run over a recording; None for all. A scenario says so itself."""
+
+    def edited(self, change: Change) -> "Wish":
+        """With an edited document."""
+        source = change(self.source)
+        assert isinstance(source, Scenario | IndoorScenario | KinematicsScenario)
+        return replace(self, source=source)
+
+
+@dataclass(frozen=True)
+class Handle:
+    """Something that is dragged."""
+
+    name: str
+    """Its path in the scene."""
+    label: str
+    place: Floats
+    """D, m."""
+    moved: Callable[[Floats, Floats], Change]
+    """The edit by its new place (D, m) and orientation (D x D)."""
+    orientation: Floats | None = None
+    """D x D; None for a point."""
+    token: str = "anchor"
+    size: float = 1.0
+    """Of its arrows, beside those of other handles."""
+    fixed: tuple[bool, bool, bool] = (False, False, False)
+    """Along which axes it cannot be moved."""
+
+
+class Picture(Protocol):
+    """A wish, what the crate made of it, and how that is drawn."""
+
+    wish: Wish
+    run: Any
+    """What was computed."""
+
+    @property
+    def name(self) -> str:
+        """What people call it."""
+        ...
+
+    @property
+    def times(self) -> Floats:
+        """Time of each step, s: K."""
+        ...
+
+    @property
+    def outline(self) -> Floats:
+        """Points that the view holds, m: P x D."""
+        ...
+
+    @property
+    def magnification(self) -> float:
+        """How many times as large errors are drawn at first."""
+        ...
+
+    def sentences(self) -> list[str]:
+        """What there is to be told."""
+        ...
+
+    def handles(self) -> list[Handle]:
+        """What can be dragged."""
+        ...
+
+    def plots(self) -> list[Plot]:
+        """Plots along the time."""
+        ...
+
+    def draw(self, canvas: Canvas, step: int, magnify: float) -> None:
+        """Draws a step, its errors so many times as large."""
+        ...
