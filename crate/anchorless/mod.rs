@@ -7,6 +7,7 @@ pub mod distance_matrix;
 pub mod gram_fit;
 pub mod maximum_likelihood;
 pub mod multidimensional_scaling;
+pub mod pair_fit;
 pub mod polynomial_fit;
 pub mod range_polynomial;
 pub mod relative_kinematics;

@@ -4,7 +4,7 @@ use rangelab::Error;
 use rangelab::anchorless::estimate;
 use rangelab::model::kinematics::KinematicsScenario;
 use rangelab::model::kinematics::coefficients::RelativeKinematics;
-use rangelab::model::kinematics::distance_record::DistanceRecord;
+use rangelab::model::kinematics::distance_record::{DistanceRecord, pairs};
 use rangelab::model::kinematics::presets::KINEMATICS_PRESETS;
 use rangelab::model::kinematics::settings::KinematicsName::{self, *};
 use rangelab::model::kinematics::stamps::Stamps;
@@ -85,10 +85,59 @@ fn stamps_that_nearly_coincide_are_degenerate() {
 fn a_pair_that_is_never_measured_is_refused() {
     let mut scenario = paper(20);
     scenario.noise.missing_probability = 1.0;
-    too_few(Algorithm1So, &scenario, "different stamps", 0, 5);
+    assert!(matches!(refusal(Algorithm1So, &scenario), Error::PairTooFew { pair: (0, 1), found: 0, .. }));
     let trial = simulate_kinematics(&scenario, 0).unwrap();
     let found = estimate(MultidimensionalScaling, &scenario.estimators, &trial.record).unwrap();
     assert!(found.snapshots.iter().all(Option::is_none));
+}
+
+/// The record without the distance between two nodes at all stamps but the first few.
+fn without_pair(scenario: &KinematicsScenario, pair: (usize, usize), kept: usize) -> DistanceRecord {
+    let record = simulate_kinematics(scenario, 0).unwrap().record;
+    let number = pairs(record.nodes()).position(|each| each == pair).unwrap();
+    let of_stamp = |k: usize| {
+        let mut distances = record.distances(k).to_vec();
+        distances[number] = distances[number].filter(|_| k < kept);
+        distances
+    };
+    let (stamps, sigma) = (record.stamps().to_vec(), record.sigma());
+    let distances = (0..stamps.len()).flat_map(of_stamp).collect();
+    let left = DistanceRecord::new(record.dimension(), record.nodes(), stamps, distances, sigma).unwrap();
+    left.with_accelerometers(record.accelerometers().unwrap().clone()).unwrap()
+}
+
+#[test]
+fn one_pair_that_measures_too_rarely_is_named() {
+    let scenario = paper(20);
+    let refused = |name, kept| {
+        let record = without_pair(&scenario, (2, 6), kept);
+        estimate(name, &scenario.estimators, &record).unwrap_err()
+    };
+    let needs = [
+        (Algorithm1So, 5),
+        (Algorithm2So, 4),
+        (SnapshotSync, 5),
+        (MaximumLikelihood, 5),
+        (RangePolynomial, 5),
+    ];
+    for (name, needed) in needs {
+        for kept in [0, 1, needed - 1] {
+            let error = refused(name, kept);
+            let expected = (kept, needed);
+            assert!(
+                matches!(error, Error::PairTooFew { pair: (2, 6), found, needed, .. } if (found, needed) == expected),
+                "{name}: {error}"
+            );
+        }
+        let record = without_pair(&scenario, (2, 6), needed);
+        assert!(estimate(name, &scenario.estimators, &record).is_ok(), "{name}");
+    }
+    let sentence = refused(SnapshotSync, 0).to_string();
+    assert!(
+        sentence.contains("between nodes 3 and 7") && sentence.ends_with("never measured it"),
+        "{sentence}"
+    );
+    assert!(refused(SnapshotSync, 1).to_string().ends_with("measured it at one only"));
 }
 
 #[test]
@@ -148,15 +197,21 @@ fn nodes_in_one_point_are_refused_and_two_at_one_point_are_not() {
 }
 
 #[test]
-fn records_without_accelerations_are_refused_by_algorithm_2() {
+fn records_without_accelerations_are_refused_alike_by_all_that_read_them() {
     let scenario = paper(20);
     let record = simulate_kinematics(&scenario, 0).unwrap().record.without_accelerometers();
-    let error = estimate(Algorithm2So, &scenario.estimators, &record).unwrap_err();
-    assert!(
-        matches!(error, Error::TooFew { counted: "accelerometers", found: 0, needed: 10, .. }),
-        "{error}"
-    );
-    assert!(estimate(Algorithm1So, &scenario.estimators, &record).is_ok());
+    for name in KinematicsName::ALL {
+        let found = estimate(name, &scenario.estimators, &record);
+        if !name.reads_accelerations() {
+            assert!(found.is_ok(), "{name}");
+            continue;
+        }
+        let error = found.unwrap_err();
+        assert!(
+            matches!(error, Error::TooFew { counted: "accelerometers", found: 0, needed: 10, .. }),
+            "{name}: {error}"
+        );
+    }
 }
 
 #[test]

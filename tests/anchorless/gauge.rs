@@ -1,6 +1,7 @@
 //! Centring, alignment and scaled time.
 
 use nalgebra::{DMatrix, dmatrix};
+use rangelab::Error;
 use rangelab::model::kinematics::coefficients::RelativeKinematics;
 use rangelab::model::kinematics::gauge::procrustes;
 use rangelab::model::kinematics::pair_polynomial::{chebyshev_nodes, lagrange_values, pair_polynomials};
@@ -45,6 +46,20 @@ fn alignment_undoes_turns_mirrors_and_shifts() {
 }
 
 /// What aligning each coefficient by itself would hide: accelerations turned against the positions.
+#[test]
+fn networks_of_other_sizes_are_not_aligned() {
+    let truth = motion(2, 1);
+    let zeros = |dimension, nodes| RelativeKinematics::new(vec![DMatrix::zeros(dimension, nodes)]).unwrap();
+    let refused = |other: &RelativeKinematics| match other.aligned_to(&truth).unwrap_err() {
+        Error::Size { what, found, expected } => (what, found, expected),
+        other => panic!("{other}"),
+    };
+    let nodes = truth.nodes();
+    assert_eq!(refused(&zeros(2, nodes + 1)), ("nodes", nodes + 1, nodes));
+    assert_eq!(refused(&zeros(3, nodes)), ("coordinates of a node", 3, 2));
+    assert!(zeros(2, nodes).aligned_to(&truth).is_ok());
+}
+
 #[test]
 fn one_alignment_shows_accelerations_turned_the_wrong_way() {
     let truth = motion(2, 6).centred();

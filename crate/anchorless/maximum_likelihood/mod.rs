@@ -102,7 +102,7 @@ pub fn maximum_likelihood_with_accelerometers(
 /// is the same one.
 ///
 /// # Errors
-/// As [`maximum_likelihood`]; [`Error::Size`] where the record has no accelerations, [`Error::Number`] for motions of degree
+/// As [`maximum_likelihood`]; [`Error::TooFew`] where the record has no accelerations, [`Error::Number`] for motions of degree
 /// below 2, which have none.
 pub fn joint_start(record: &DistanceRecord, degree: usize) -> Result<(RelativeKinematics, usize)> {
     let readings = AccelerationCost::new(record, degree)?;

@@ -183,16 +183,7 @@ fn sensed_accelerations(
     record: &DistanceRecord,
     degree: usize,
 ) -> Result<RelativeKinematics> {
-    let Some(accelerometers) = record.accelerometers() else {
-        let reason = "It takes the accelerations of all nodes at each stamp.";
-        return Err(Error::TooFew {
-            what,
-            counted: "accelerometers",
-            found: 0,
-            needed: record.nodes(),
-            reason,
-        });
-    };
+    let accelerometers = record.needed_accelerometers(what)?;
     let (dimension, nodes, scale) = (record.dimension(), record.nodes(), record.time_scale());
     let stamps: Vec<f64> = record.stamps().iter().map(|&time| scale.scaled(time)).collect();
     let fit = PolynomialFit::new(what, &stamps, degree - 2)?;

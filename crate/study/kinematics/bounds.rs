@@ -68,15 +68,28 @@ fn bound(design: &KinematicsDesign, yardstick: &Yardstick) -> Result<KinematicsB
     })
 }
 
-/// The bound on the covariance of the position of each node at a time (s), after one alignment from `Y_0`, m^2: D x D, node by
-/// node.
+/// Of what a node's uncertainty is asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum NodeQuantity {
+    /// Its position at a time, s.
+    Position(f64),
+    /// The tip of an arrow from its position at time 0: `Y_0 + factor Y_l`, the factor in s^l.
+    Tip {
+        /// l.
+        coefficient: usize,
+        /// How long the arrow is drawn.
+        factor: f64,
+    },
+}
+
+/// The bound on the covariance of a quantity of each node after one alignment from `Y_0`, m^2: D x D, node by node.
 ///
 /// # Errors
-/// When the scenario is not valid or has no bound.
+/// When the scenario is not valid or has no bound, or the motion has no such coefficient.
 pub fn node_covariances(
     scenario: &KinematicsScenario,
     accelerations: bool,
-    time: f64,
+    quantity: NodeQuantity,
 ) -> Result<Vec<DMatrix<f64>>> {
     let setup = scenario.setup()?;
     let motion = Yardstick::new(scenario, &setup).motion().clone();
@@ -85,7 +98,11 @@ pub fn node_covariances(
     } else {
         KinematicsDesign::distances(&setup.stamps, &scenario.noise)
     };
-    let covariance = KinematicsBound::new(&motion, &design)?.position_covariance(time, Alignment::AtZero)?;
+    let bound = KinematicsBound::new(&motion, &design)?;
+    let covariance = match quantity {
+        NodeQuantity::Position(time) => bound.position_covariance(time, Alignment::AtZero)?,
+        NodeQuantity::Tip { coefficient, factor } => bound.tip_covariance(coefficient, factor)?,
+    };
     let dimension = motion.dimension();
     let of_node = |node: usize| {
         let at = node * dimension;

@@ -2,7 +2,9 @@
 
 use rangelab::Result;
 use rangelab::model::kinematics::KinematicsScenario;
-use rangelab::study::kinematics::bounds::{KinematicsBoundReport, kinematics_bounds, node_covariances};
+use rangelab::study::kinematics::bounds::{
+    KinematicsBoundReport, NodeQuantity, kinematics_bounds, node_covariances,
+};
 use rangelab::study::kinematics::errors::Yardstick;
 use rangelab_wasm_shared::json;
 use wasm_bindgen::prelude::*;
@@ -34,6 +36,28 @@ pub fn anchorless_covariances(
     accelerations: bool,
     time: f64,
 ) -> std::result::Result<Vec<f64>, JsError> {
-    let covariances = node_covariances(&KinematicsScenario::from_json(scenario)?, accelerations, time)?;
+    covariances(scenario, accelerations, NodeQuantity::Position(time))
+}
+
+/// The same of the tips of arrows, `Y_0 + factor Y_l`, the factor in s^l.
+///
+/// # Errors
+/// As [`anchorless_covariances`], and where the motion has no such coefficient.
+#[wasm_bindgen]
+pub fn anchorless_tip_covariances(
+    scenario: &str,
+    accelerations: bool,
+    coefficient: usize,
+    factor: f64,
+) -> std::result::Result<Vec<f64>, JsError> {
+    covariances(scenario, accelerations, NodeQuantity::Tip { coefficient, factor })
+}
+
+fn covariances(
+    scenario: &str,
+    accelerations: bool,
+    quantity: NodeQuantity,
+) -> std::result::Result<Vec<f64>, JsError> {
+    let covariances = node_covariances(&KinematicsScenario::from_json(scenario)?, accelerations, quantity)?;
     Ok(covariances.iter().flatten().copied().collect())
 }

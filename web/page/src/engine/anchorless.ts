@@ -134,6 +134,17 @@ export function anchorlessCovariances(
   return anchorlessModule.call(() => wasm.anchorless_covariances(text, accelerometers, time));
 }
 
+/** The same of the tips of the arrows of the l-th derivative, drawn `factor` (s^l) long. Throws where there is none. */
+export function anchorlessTipCovariances(
+  scenario: KinematicsScenario,
+  accelerometers: boolean,
+  l: number,
+  factor: number,
+): Float64Array {
+  const text = JSON.stringify(scenario);
+  return anchorlessModule.call(() => wasm.anchorless_tip_covariances(text, accelerometers, l, factor));
+}
+
 /** A study's pieces start at multiples of this. */
 export function anchorlessTrialsPerBlock(): number {
   return wasm.anchorless_trials_per_block();
