@@ -8,7 +8,7 @@ use super::distance_matrix::gram_matrix;
 use super::pair_fit::fitted_pairs;
 use super::polynomial_fit::{derivatives_of, legendre_sum, powers_of};
 use crate::error::{Error, Result};
-use crate::model::kinematics::coefficients::RelativeKinematics;
+use crate::model::kinematics::coefficients::{RelativeKinematics, squared_distance};
 use crate::model::kinematics::distance_record::DistanceRecord;
 use crate::model::kinematics::time_scale::TimeScale;
 
@@ -45,7 +45,7 @@ impl GramFit {
         let scale = record.time_scale();
         let known: Vec<DMatrix<f64>> =
             record.stamps().iter().map(|&time| known.positions(scale.scaled(time))).collect();
-        Self::of(record, degree, |k, i, j| (known[k].column(i) - known[k].column(j)).norm_squared())
+        Self::of(record, degree, |k, i, j| squared_distance(&known[k], i, j))
     }
 
     fn of(record: &DistanceRecord, degree: usize, part: impl Fn(usize, usize, usize) -> f64) -> Result<Self> {
