@@ -71,13 +71,16 @@ impl GramFit {
     }
 
     /// `B_0, B_1, ...`, the coefficients of the powers of time, m^2/s^l.
-    pub fn powers(&self) -> Vec<DMatrix<f64>> {
-        let mut derivatives = derivatives_of(&self.coefficients, &self.scale);
+    ///
+    /// # Errors
+    /// [`Error::Degenerate`] where they grow beyond all numbers.
+    pub fn powers(&self) -> Result<Vec<DMatrix<f64>>> {
+        let mut derivatives = derivatives_of(&self.coefficients, &self.scale)?;
         let mut factorial = 1.0;
         for (l, derivative) in derivatives.iter_mut().enumerate() {
             factorial *= l.max(1) as f64;
             *derivative /= factorial;
         }
-        derivatives
+        Ok(derivatives)
     }
 }

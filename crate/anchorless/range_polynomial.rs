@@ -28,7 +28,7 @@ pub fn range_polynomial(record: &DistanceRecord, degree: usize) -> Result<Kinema
     super::at_least_nodes(WHAT, record.nodes(), 2, "Distances are measured between two nodes.")?;
     let fitted = fitted_pairs(WHAT, record, degree, |_, _, range| range)?;
     let row = |l: usize| DMatrix::from_iterator(1, fitted.ncols(), fitted.row(l).iter().copied());
-    let derivatives = derivatives_of(&(0..=degree).map(row).collect::<Vec<_>>(), &record.time_scale());
+    let derivatives = derivatives_of(&(0..=degree).map(row).collect::<Vec<_>>(), &record.time_scale())?;
     let at = |l: usize, pair: usize| derivatives.get(l).map_or(0.0, |values| values[pair]);
     let gram = |coefficient: fn([f64; 3]) -> f64| {
         let of_pair = |pair| coefficient([at(0, pair), at(1, pair), at(2, pair)]);

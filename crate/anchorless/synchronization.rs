@@ -57,7 +57,7 @@ pub fn snapshot_sync(record: &DistanceRecord, degree: usize) -> Result<Kinematic
     let Synchronized { motion, fit, cost } = synchronized(record, degree)?;
     Ok(KinematicsEstimate {
         kinematics: Some(motion),
-        gram: fit.powers(),
+        gram: fit.powers()?,
         cost,
         ..KinematicsEstimate::default()
     })
@@ -96,7 +96,7 @@ pub(super) fn synchronized(record: &DistanceRecord, degree: usize) -> Result<Syn
     let powers = powers_of(&(0..=degree).map(of_legendre).collect::<Vec<_>>());
     let stacked: Vec<f64> = powers.iter().flat_map(|power| power.iter().copied()).collect();
     let scaled = from_stacked_powers(dimension, nodes, &stacked).centred();
-    Ok(Synchronized { motion: scale.unscale(&scaled), fit, cost })
+    Ok(Synchronized { motion: scale.unscale(&scaled)?, fit, cost })
 }
 
 /// M.

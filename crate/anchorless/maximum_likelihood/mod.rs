@@ -190,6 +190,6 @@ fn descended(
     let Minimum { unknowns, cost, iterations } = with_dimension!(dimension, D => {
         minimum(&Objective::<D> { nodes, pairs, accelerations }, from)
     })?;
-    let motion = scale.unscale(&from_stacked_powers(dimension, nodes, unknowns.as_slice())).centred();
+    let motion = scale.unscale(&from_stacked_powers(dimension, nodes, unknowns.as_slice()))?.centred();
     Ok(Found { motion, cost: 2.0 * cost, iterations })
 }

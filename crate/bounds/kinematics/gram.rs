@@ -4,6 +4,7 @@ use nalgebra::DMatrix;
 
 use super::KinematicsBound;
 use super::alignment::ReadOut;
+use crate::math::factorial::factorial;
 
 /// Errors of `vech(B_l)`, `B_l = sum_m Y_m^T Y_(l-m)/(m! (l-m)!)` (\[A\] eq. 7), by independent normal numbers of variance 1;
 /// rows are the entries on and below the diagonal.
@@ -14,7 +15,6 @@ pub fn gram_noise(bound: &KinematicsBound, l: usize) -> DMatrix<f64> {
     let (nodes, dimension, degree) = (motion.nodes(), motion.dimension(), motion.degree());
     let mut noise = DMatrix::zeros(nodes * (nodes + 1) / 2, bound.root.ncols());
     // Y_m/m! of each term that both factors have.
-    let factorial = |n: usize| (2..=n).fold(1.0, |product, i| product * i as f64);
     for m in l.saturating_sub(degree)..=l.min(degree) {
         let moved = ReadOut::new(bound, m, 0.0).into_noise() / factorial(m);
         let other = motion.coefficient(l - m) / factorial(l - m);

@@ -11,6 +11,7 @@ use crate::error::{Error, Result};
 use crate::math::float::sqrt;
 use crate::model::kinematics::coefficients::RelativeKinematics;
 use crate::model::kinematics::distance_record::pairs;
+use crate::model::kinematics::stamps::{LEAST_SPREAD, earliest_and_latest};
 use crate::model::kinematics::time_scale::TimeScale;
 use crate::with_dimension;
 
@@ -20,6 +21,12 @@ use crate::with_dimension;
 /// `Q` leaves with the alignment, which removes it.
 pub fn information(motion: &RelativeKinematics, design: &KinematicsDesign) -> Result<DMatrix<f64>> {
     positive("the standard deviation of a distance", design.sigma_distance)?;
+    let [first, last] = earliest_and_latest(&design.stamps);
+    let value = last - first;
+    if value > 0.0 && value < LEAST_SPREAD {
+        let (what, limit) = ("the time between the first stamp and the last, s,", "0 or at least 1e-6");
+        return Err(Error::Number { what, value, limit });
+    }
     let mut information = with_dimension!(motion.dimension(), D => of_distances::<D>(motion, design))?;
     if let Some(sigma) = design.sigma_acceleration {
         positive("the standard deviation of an acceleration", sigma)?;

@@ -54,8 +54,8 @@ impl KinematicsBound {
     /// From distances alone, or with accelerometers in one unknown proper frame, as the design says.
     ///
     /// # Errors
-    /// [`Error::Number`] where a standard deviation is not positive, or accelerations of a motion of degree below 2 are
-    /// given; [`Error::Degenerate`] where two nodes meet at a stamp, or the motion is not determined to first order.
+    /// [`Error::Number`] where a standard deviation is not positive, all stamps lie within 1e-6 s and are not one, or
+    /// accelerations of a motion of degree below 2 are given; [`Error::Degenerate`] where two nodes meet at a stamp, or the motion is not determined to first order.
     ///
     /// ```
     /// use rangelab::bounds::kinematics::{KinematicsBound, KinematicsDesign};
