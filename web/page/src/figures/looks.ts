@@ -15,6 +15,7 @@ const RANGE_POLYNOMIALS: Record<string, Look> = {
   "range-polynomial-2": { token: "eskf-raw", mark: "cross", dash: [] },
   "range-polynomial-3": { token: "eskf", mark: "disc", dash: [] },
   "range-polynomial-4": { token: "et-kf", mark: "diamond", dash: DASH },
+  "range-polynomial-5": { token: "uc-kf", mark: "square", dash: DASH },
   "range-polynomial-6": { token: "uc-kf", mark: "ring", dash: [] },
 };
 
