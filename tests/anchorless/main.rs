@@ -12,11 +12,14 @@ mod likelihood_tables;
 mod minimum_nodes;
 mod mirrored_minimum;
 mod networks;
+mod presets;
 mod recovery;
 mod scenes;
+mod sensed_accelerations;
 mod simulation;
 mod study;
 mod table;
+mod wrong_branch;
 
 #[path = "../support/mod.rs"]
 mod support;
