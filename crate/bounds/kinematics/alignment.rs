@@ -29,7 +29,10 @@ impl ReadOut {
             // d^r s^p/dt^r = p (p - 1) ... (p - r + 1) s^(p - r)/half^r.
             let falling = (0..derivative).fold(1.0, |product, i| product * (power - i) as f64 / scale.half);
             let weight = (derivative..power).fold(falling, |product, _| product * s);
-            noise.zip_apply(&root.rows(power * block, block), |sum, value| *sum += weight * value);
+            for (mut sum, column) in noise.column_iter_mut().zip(root.column_iter()) {
+                let part = &column.as_slice()[power * block..(power + 1) * block];
+                sum.iter_mut().zip(part).for_each(|(sum, value)| *sum += weight * value);
+            }
         }
         let value =
             DVector::from_column_slice(centred_columns(&motion.derivative(derivative, time)).as_slice());
@@ -47,20 +50,29 @@ impl ReadOut {
         Self { dimension, value: value + &other.value * factor, noise: noise + &other.noise * factor }
     }
 
-    /// How its error follows from the noise once a reference is aligned: `e + Omega x`, `Omega` skew with the least
-    /// `||e_reference + Omega x_reference||`, the first order of Procrustes' rotation.
+    /// How the turn follows from the noise that aligns it: angles of `Omega` skew with the least `||e + Omega x||`, the first
+    /// order of Procrustes' rotation.
     ///
     /// # Errors
-    /// [`Error::Degenerate`] where a turn leaves the reference as it is.
-    pub fn aligned(&self, reference: &Self) -> Result<DMatrix<f64>> {
-        let (turned, of_reference) = (self.turns()?, reference.turns()?);
-        let factor = definite_factor(&of_reference.tr_mul(&of_reference)).map_err(|value| {
+    /// [`Error::Degenerate`] where a turn leaves it as it is.
+    pub fn angles(&self) -> Result<DMatrix<f64>> {
+        let turns = self.turns()?;
+        let factor = definite_factor(&turns.tr_mul(&turns)).map_err(|value| {
             let reason =
                 "The positions that are aligned lie on a line or in a point, and a turn leaves them as they are.";
             Error::Degenerate { what: WHAT, value, reason }
         })?;
-        let angles = factor.solve(&of_reference.tr_mul(&reference.noise));
-        Ok(&self.noise - turned * angles)
+        Ok(factor.solve(&turns.tr_mul(&self.noise)))
+    }
+
+    /// How its error follows from the noise after the turn by [`ReadOut::angles`] of a reference, `e + Omega x`.
+    ///
+    /// # Errors
+    /// [`Error::Number`] for a dimension other than 2 or 3.
+    pub fn turned(&self, angles: &DMatrix<f64>) -> Result<DMatrix<f64>> {
+        let mut turned = self.noise.clone();
+        turned.gemm(-1.0, &self.turns()?, angles, 1.0);
+        Ok(turned)
     }
 
     /// What small turns change, a column for each plane.

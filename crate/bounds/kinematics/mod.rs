@@ -16,6 +16,8 @@ mod information;
 
 pub use design::KinematicsDesign;
 
+use alloc::vec::Vec;
+
 use nalgebra::DMatrix;
 
 use crate::error::{Error, Result};
@@ -105,8 +107,9 @@ impl KinematicsBound {
     /// # Errors
     /// As [`KinematicsBound::coefficient_covariance`].
     pub fn tip_covariance(&self, l: usize, factor: f64) -> Result<DMatrix<f64>> {
-        let (positions, derivative) = (ReadOut::new(self, 0, 0.0), self.coefficient(l)?);
-        Ok(covariance(&ReadOut::new(self, 0, 0.0).plus(factor, &derivative).aligned(&positions)?))
+        let positions = ReadOut::new(self, 0, 0.0);
+        let angles = positions.angles()?;
+        Ok(covariance(&positions.plus(factor, &self.coefficient(l)?).turned(&angles)?))
     }
 
     /// Covariance of the positions at a time (s), (D N) x (D N), node by node.
@@ -125,6 +128,22 @@ impl KinematicsBound {
         Ok(root_mean(&self.position_noise(time, alignment)?))
     }
 
+    /// [`KinematicsBound::position_rmse`] at some times (s), with both alignments: after the one at time 0, and after one at
+    /// each time.
+    ///
+    /// # Errors
+    /// As [`KinematicsBound::position_covariance`].
+    pub fn position_rmses(&self, times: &[f64]) -> Result<[Vec<f64>; 2]> {
+        let at_zero = ReadOut::new(self, 0, 0.0).angles()?;
+        let mut rmses = [Vec::with_capacity(times.len()), Vec::with_capacity(times.len())];
+        for &time in times {
+            let read = ReadOut::new(self, 0, time);
+            rmses[0].push(root_mean(&read.turned(&at_zero)?));
+            rmses[1].push(root_mean(&read.turned(&read.angles()?)?));
+        }
+        Ok(rmses)
+    }
+
     /// Root mean square over the entries of `vech(B_l)`, `G(t) = sum_l B_l t^l`, m^2/s^l (\[A\] Fig. 1); Gram matrices need no
     /// alignment.
     ///
@@ -141,12 +160,12 @@ impl KinematicsBound {
     }
 
     fn coefficient_noise(&self, l: usize) -> Result<DMatrix<f64>> {
-        self.coefficient(l)?.aligned(&ReadOut::new(self, 0, 0.0))
+        self.coefficient(l)?.turned(&ReadOut::new(self, 0, 0.0).angles()?)
     }
 
     fn position_noise(&self, time: f64, alignment: Alignment) -> Result<DMatrix<f64>> {
         let reference = if alignment == Alignment::AtZero { 0.0 } else { time };
-        ReadOut::new(self, 0, time).aligned(&ReadOut::new(self, 0, reference))
+        ReadOut::new(self, 0, time).turned(&ReadOut::new(self, 0, reference).angles()?)
     }
 }
 

@@ -55,15 +55,13 @@ pub fn kinematics_bounds(
 fn bound(design: &KinematicsDesign, yardstick: &Yardstick) -> Result<KinematicsBoundReport> {
     let motion = yardstick.motion();
     let bound = KinematicsBound::new(motion, design)?;
-    let positions = |alignment| -> Result<Vec<f64>> {
-        yardstick.instants.iter().map(|&time| bound.position_rmse(time, alignment)).collect()
-    };
+    let [positions, aligned_positions] = bound.position_rmses(&yardstick.instants)?;
     let gram = GRAM_COEFFICIENTS.min(2 * motion.degree() + 1);
     Ok(KinematicsBoundReport {
         coefficients: (0..=motion.degree()).map(|l| bound.coefficient_rmse(l)).collect::<Result<_>>()?,
         gram: (0..gram).map(|l| bound.gram_rmse(l)).collect::<Result<_>>()?,
-        positions: positions(Alignment::AtZero)?,
-        aligned_positions: positions(Alignment::AtEach)?,
+        positions,
+        aligned_positions,
         ..KinematicsBoundReport::default()
     })
 }
