@@ -31,7 +31,7 @@ impl GramFit {
     /// Fits a polynomial of this degree, 2L for a motion of degree L.
     ///
     /// # Errors
-    /// [`Error::TooFew`] for fewer than two nodes, else as [`fitted_pairs`].
+    /// [`Error::TooFew`] for fewer than two nodes, [`Error::Number`] for distances above 1e30 m, else as [`fitted_pairs`].
     pub fn new(record: &DistanceRecord, degree: usize) -> Result<Self> {
         Self::of(record, degree, |_, _, _| 0.0)
     }
@@ -54,6 +54,7 @@ impl GramFit {
             let reason = "Distances are measured between two nodes.";
             return Err(Error::TooFew { what: WHAT, counted: "nodes", found: nodes, needed: 2, reason });
         }
+        super::small_enough(record)?;
         let squared = |k: usize, (i, j): (usize, usize), distance: f64| distance * distance - part(k, i, j);
         let fitted = fitted_pairs(WHAT, record, degree, squared)?;
         let coefficients = (0..=degree).map(|l| gram_matrix(nodes, fitted.row(l).iter().copied())).collect();

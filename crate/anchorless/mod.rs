@@ -80,3 +80,15 @@ pub(crate) fn at_least_nodes(
     }
     Ok(())
 }
+
+/// Fourth powers of distances (m) must not overflow.
+const MAX_DISTANCE: f64 = 1e30;
+
+/// Refuses distances whose powers are no numbers.
+pub(crate) fn small_enough(record: &DistanceRecord) -> Result<()> {
+    let mut distances = (0..record.stamps().len()).flat_map(|k| record.distances(k)).copied().flatten();
+    match distances.find(|distance| distance.abs() > MAX_DISTANCE) {
+        Some(value) => Err(Error::Number { what: "a distance", value, limit: "at most 1e30 m" }),
+        None => Ok(()),
+    }
+}

@@ -52,10 +52,12 @@ pub fn classical_scaling(gram: &DMatrix<f64>, dimension: usize) -> Scaling {
 /// Classical scaling of each epoch alone; an epoch with a missing distance has no positions.
 ///
 /// # Errors
-/// [`Error::TooFew`] for fewer than D + 1 nodes, or where every epoch misses a distance.
+/// [`Error::TooFew`] for fewer than D + 1 nodes, or where every epoch misses a distance; [`Error::Number`] for distances above
+/// 1e30 m.
 pub fn snapshots(record: &DistanceRecord) -> Result<KinematicsEstimate> {
     let (nodes, dimension, what) = (record.nodes(), record.dimension(), "scaling of each epoch");
     super::at_least_nodes(what, nodes, dimension + 1, "Fewer do not span the space.")?;
+    super::small_enough(record)?;
     let of_stamp = |k: usize| {
         let distances: Option<Vec<f64>> = record.distances(k).iter().copied().collect();
         let gram = gram_matrix(nodes, distances?.iter().map(|distance| distance * distance));

@@ -14,10 +14,11 @@ fn of(report: &KinematicsReport, name: KinematicsName) -> &KinematicsSummary {
     &found.unwrap_or_else(|| panic!("{} does not run {name}", report.name)).summary
 }
 
-/// Those that give nothing in any trial; all others give an answer in each.
+/// Those that give nothing; all others give an answer in each trial. With a fifth of 45 distances missing an epoch is complete
+/// in one trial of 200.
 fn ended(report: &KinematicsReport) -> Vec<KinematicsName> {
     let failed = report.estimators.iter().filter(|each| each.summary.failures > 0);
-    failed.inspect(|each| assert_eq!(each.summary.trials, 0, "{}", each.name)).map(|each| each.name).collect()
+    failed.inspect(|each| assert!(each.summary.trials <= 2, "{}", each.name)).map(|each| each.name).collect()
 }
 
 #[test]

@@ -174,7 +174,8 @@ fn size(record: &DistanceRecord) -> f64 {
 
 /// Refuses a Gram matrix with fewer positive eigenvalues than dimensions.
 fn spanning(what: &'static str, scaling: Scaling, size: f64, reason: &'static str) -> Result<Scaling> {
-    let value = scaling.values[scaling.positions.nrows() - 1] / size;
+    // Where all distances are zero, so is everything found from them.
+    let value = if size > 0.0 { scaling.values[scaling.positions.nrows() - 1] / size } else { 0.0 };
     if value > RANK { Ok(scaling) } else { Err(Error::Degenerate { what, value, reason }) }
 }
 
