@@ -1,5 +1,6 @@
 //! Relative kinematics of mobile nodes from the distances between them.
 
+mod bound_over_time;
 mod degenerate_networks;
 mod documents;
 mod edges;

@@ -1,6 +1,6 @@
 //! What is compared: a derivative of the motion at an instant, centred, after an alignment.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use super::{KinematicsBound, WHAT};
 use crate::error::{Error, Result};
@@ -57,12 +57,7 @@ impl ReadOut {
     /// [`Error::Degenerate`] where a turn leaves it as it is.
     pub fn angles(&self) -> Result<DMatrix<f64>> {
         let turns = self.turns()?;
-        let factor = definite_factor(&turns.tr_mul(&turns)).map_err(|value| {
-            let reason =
-                "The positions that are aligned lie on a line or in a point, and a turn leaves them as they are.";
-            Error::Degenerate { what: WHAT, value, reason }
-        })?;
-        Ok(factor.solve(&turns.tr_mul(&self.noise)))
+        Ok(turned_squares(&turns)?.solve(&turns.tr_mul(&self.noise)))
     }
 
     /// How its error follows from the noise after the turn by [`ReadOut::angles`] of a reference, `e + Omega x`.
@@ -81,4 +76,16 @@ impl ReadOut {
             with_dimension!(self.dimension, D => Ok::<_, Error>(turn_fields::<D>(self.value.as_slice())))?;
         Ok(DMatrix::from_columns(&fields))
     }
+}
+
+/// `T^T T` of what small turns change, factored.
+///
+/// # Errors
+/// [`Error::Degenerate`] where a turn changes nothing.
+pub fn turned_squares(turns: &DMatrix<f64>) -> Result<Cholesky<f64, Dyn>> {
+    definite_factor(&turns.tr_mul(turns)).map_err(|value| {
+        let reason =
+            "The positions that are aligned lie on a line or in a point, and a turn leaves them as they are.";
+        Error::Degenerate { what: WHAT, value, reason }
+    })
 }

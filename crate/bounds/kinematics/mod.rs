@@ -13,6 +13,7 @@ mod alignment;
 mod design;
 mod gram;
 mod information;
+mod over_time;
 
 pub use design::KinematicsDesign;
 
@@ -29,6 +30,7 @@ use crate::model::kinematics::stacked::stacked_powers;
 use crate::model::kinematics::time_scale::TimeScale;
 use crate::with_dimension;
 use alignment::ReadOut;
+use over_time::OverTime;
 
 /// What is being computed, for errors.
 const WHAT: &str = "the Cramér-Rao bound of relative kinematics";
@@ -134,12 +136,12 @@ impl KinematicsBound {
     /// # Errors
     /// As [`KinematicsBound::position_covariance`].
     pub fn position_rmses(&self, times: &[f64]) -> Result<[Vec<f64>; 2]> {
-        let at_zero = ReadOut::new(self, 0, 0.0).angles()?;
+        let over_time = OverTime::new(self)?;
         let mut rmses = [Vec::with_capacity(times.len()), Vec::with_capacity(times.len())];
         for &time in times {
-            let read = ReadOut::new(self, 0, time);
-            rmses[0].push(root_mean(&read.turned(&at_zero)?));
-            rmses[1].push(root_mean(&read.turned(&read.angles()?)?));
+            let (at_zero, at_each) = over_time.rmses(time)?;
+            rmses[0].push(at_zero);
+            rmses[1].push(at_each.map_or_else(|| self.position_rmse(time, Alignment::AtEach), Ok)?);
         }
         Ok(rmses)
     }
