@@ -29,37 +29,27 @@ fn presets_teach_what_they_say() {
         let report = KinematicsMonteCarlo::new(&scenario, TRIALS).unwrap().run().unwrap();
         // Root mean square error of a velocity, m/s; those of the nodes are about 5 m/s.
         let velocity = |name| of(&report, name).coefficients[1].value;
-        println!("{}", preset.name);
         let ended = || ended(&report);
         let right = match preset.name {
             "kinematics-paper" => {
                 let (ml, closed) = (velocity(MaximumLikelihood), velocity(Algorithm2Rank1));
-                println!("  {ml:.4} and {closed:.4} m/s");
                 ended().is_empty() && ml < 0.7 * closed
             }
             "kinematics-sparse" => {
                 let (ml, closed) = (velocity(MaximumLikelihood), velocity(Algorithm1Rank1));
-                println!("  {ml:.4} and {closed:.4} m/s");
                 ended().is_empty() && ml < 0.3 * closed && ml < 0.1
             }
             "kinematics-missing" => ended() == [MultidimensionalScaling],
             "kinematics-four" => {
-                println!("  {:.4} m/s", velocity(MaximumLikelihood));
                 ended() == [Algorithm1Rank1, Algorithm2Rank1] && velocity(MaximumLikelihood) < 0.5
             }
             "kinematics-constant" => {
                 let margin =
                     |trial| run_kinematics(&scenario, trial).unwrap().estimators[0].acceleration_margin;
                 let margin = (0..20).filter_map(margin).sum::<f64>() / 20.0;
-                // Maximum likelihood from distances does not settle in every trial: nothing tells the accelerations.
-                let failures = of(&report, MaximumLikelihood).failures;
-                println!("  margin {margin:.2}, {:.4} m/s, {failures} fail", velocity(Algorithm1Rank1));
                 margin < 1.0 && velocity(Algorithm1Rank1) > 1.0
             }
-            "kinematics-space" => {
-                println!("  {:.4} m/s", velocity(Algorithm1So));
-                ended() == [Algorithm1Rank1] && velocity(Algorithm1So) < 1.0
-            }
+            "kinematics-space" => ended() == [Algorithm1Rank1] && velocity(Algorithm1So) < 1.0,
             other => panic!("{other} teaches nothing that is tested"),
         };
         assert!(right, "{}: {}", preset.name, preset.summary);

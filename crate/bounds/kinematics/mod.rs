@@ -87,6 +87,11 @@ impl KinematicsBound {
         Ok(Self { motion, scale, root })
     }
 
+    /// The motion at which it is, centred.
+    pub fn motion(&self) -> &RelativeKinematics {
+        &self.motion
+    }
+
     /// Covariance of `Y_l` after one alignment at time 0, (D N) x (D N), node by node.
     ///
     /// # Errors

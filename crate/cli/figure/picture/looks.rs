@@ -53,17 +53,17 @@ const ESTIMATORS: [(&str, Colour, Mark); 36] = [
     ("range-polynomial-6", [0x02, 0x51, 0x92], Mark::Ring),
 ];
 /// Estimators that are drawn over others whose numbers they often have, or whose colour.
-const DASHED: [&str; 8] = [
-    "ekf-rie",
-    "ukf-rie",
-    "algorithm-1-literal",
-    "algorithm-1-so",
-    "algorithm-2-literal",
-    "algorithm-2-so",
-    "range-polynomial-4",
-    "range-polynomial-5",
+const BROKEN: [(&str, &[f32]); 8] = [
+    ("ekf-rie", DASH),
+    ("ukf-rie", DASH),
+    ("algorithm-1-literal", DOTS),
+    ("algorithm-1-so", DASH),
+    ("algorithm-2-literal", DOTS),
+    ("algorithm-2-so", DASH),
+    ("range-polynomial-4", DASH),
+    ("range-polynomial-5", DASH),
 ];
-/// What else is dashed, and bounds without a dash of their own.
+/// Bounds without a dash of their own have this one too.
 const DASH: &[f32] = &[7.0, 4.0];
 const DOTS: &[f32] = &[2.0, 4.0];
 const DASH_DOT: &[f32] = &[10.0, 3.0, 2.0, 3.0];
@@ -104,7 +104,8 @@ impl Look {
         let colour = estimator.map_or(BOUND, |(_, colour, _)| *colour);
         match curve.kind {
             CurveKind::Estimator => {
-                let dash: &[f32] = if DASHED.contains(&curve.name.as_str()) { DASH } else { &[] };
+                let dash =
+                    BROKEN.iter().find(|(name, _)| *name == curve.name).map_or(&[][..], |(_, dash)| *dash);
                 Self { colour, mark: estimator.map(|(.., mark)| *mark), dash }
             }
             CurveKind::Covariance => Self { colour, mark: None, dash: DOTS },

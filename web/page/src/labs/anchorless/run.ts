@@ -1,6 +1,6 @@
 import {
-  anchorlessBounds,
   anchorlessCovariances,
+  anchorlessOwnBounds,
   anchorlessPreset,
   anchorlessSpectrum,
   anchorlessTipCovariances,
@@ -54,7 +54,7 @@ export function runOf(scenario: KinematicsScenario): AnchorlessRun {
     scenario,
     trial,
     spectrum: anchorlessSpectrum(moved, 0),
-    bounds: anchorlessBounds(moved, OWN_STAMPS)[0],
+    bounds: anchorlessOwnBounds(moved),
     covariances: remembered((kind, step) =>
       anchorlessCovariances(moved, kind === "accelerometers", times[step]),
     ),

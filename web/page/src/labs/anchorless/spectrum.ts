@@ -10,7 +10,10 @@ const ROUNDING = 1e-12;
 export function spectrumPlots({ spectrum, anchors, dimension, scenario }: AnchorlessRun): PlotSpec[] {
   const common = {
     ...PLAIN,
-    x: countAxis(`eigenvalue (${dimension} kept, last negative)`, anchors.length),
+    x: countAxis("eigenvalue", anchors.length),
+    // The curves fall from the left and rise to the right.
+    note: `${dimension} kept; last: negative`,
+    noteInMiddle: true,
   };
   const { degree } = scenario.estimators;
   const top = degree === 2 ? "accelerations" : `Y${degree}`;
