@@ -119,7 +119,7 @@ fn stamps_closer_than_any_clock() {
                 (scenario.estimators.range_degree, scenario.estimators.degree) = (range_degree, degree);
             });
             let stamps = close.stamps.times();
-            if stamps[17] == stamps[0] {
+            if !(stamps[17] > stamps[0]) {
                 continue;
             }
             let [problem] = &close.validate()[..] else { panic!("{gap:e}: {:?}", close.validate()) };
