@@ -88,6 +88,17 @@ pub enum Error {
         /// Why, in a sentence.
         reason: &'static str,
     },
+    /// A pair of nodes measured the distance between them too rarely.
+    PairTooFew {
+        /// What was being computed.
+        what: &'static str,
+        /// The nodes, counted from 0.
+        pair: (usize, usize),
+        /// At how many different stamps they measured.
+        found: usize,
+        /// How many it takes.
+        needed: usize,
+    },
     /// The data lie so that the answer is not determined.
     Degenerate {
         /// What was being computed.
@@ -147,6 +158,18 @@ impl fmt::Display for Error {
             }
             Self::TooFew { what, counted, found, needed, reason } => {
                 write!(f, "{what} needs at least {needed} {counted}, and there are {found}. {reason}")
+            }
+            Self::PairTooFew { what, pair: (a, b), found, needed } => {
+                let (a, b) = (a + 1, b + 1);
+                write!(
+                    f,
+                    "{what} needs the distance between nodes {a} and {b} at {needed} different stamps, and "
+                )?;
+                match found {
+                    0 => f.write_str("those two never measured it"),
+                    1 => f.write_str("those two measured it at one only"),
+                    _ => write!(f, "those two measured it at {found} only"),
+                }
             }
             Self::Degenerate { what, value, reason } => {
                 write!(f, "{what} is not determined ({value:e}). {reason}")

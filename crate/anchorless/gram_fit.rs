@@ -5,10 +5,11 @@ use alloc::vec::Vec;
 use nalgebra::DMatrix;
 
 use super::distance_matrix::gram_matrix;
-use super::polynomial_fit::{PolynomialFit, derivatives_of, legendre_sum, powers_of};
+use super::pair_fit::fitted_pairs;
+use super::polynomial_fit::{derivatives_of, legendre_sum, powers_of};
 use crate::error::{Error, Result};
-use crate::model::kinematics::coefficients::RelativeKinematics;
-use crate::model::kinematics::distance_record::{DistanceRecord, pair_count, pairs};
+use crate::model::kinematics::coefficients::{RelativeKinematics, squared_distance};
+use crate::model::kinematics::distance_record::DistanceRecord;
 use crate::model::kinematics::time_scale::TimeScale;
 
 /// What is being computed, for errors.
@@ -30,7 +31,7 @@ impl GramFit {
     /// Fits a polynomial of this degree, 2L for a motion of degree L.
     ///
     /// # Errors
-    /// [`Error::TooFew`] where a pair has fewer different stamps than the polynomial has coefficients.
+    /// [`Error::TooFew`] for fewer than two nodes, [`Error::Number`] for distances above 1e30 m, else as [`fitted_pairs`].
     pub fn new(record: &DistanceRecord, degree: usize) -> Result<Self> {
         Self::of(record, degree, |_, _, _| 0.0)
     }
@@ -44,7 +45,7 @@ impl GramFit {
         let scale = record.time_scale();
         let known: Vec<DMatrix<f64>> =
             record.stamps().iter().map(|&time| known.positions(scale.scaled(time))).collect();
-        Self::of(record, degree, |k, i, j| (known[k].column(i) - known[k].column(j)).norm_squared())
+        Self::of(record, degree, |k, i, j| squared_distance(&known[k], i, j))
     }
 
     fn of(record: &DistanceRecord, degree: usize, part: impl Fn(usize, usize, usize) -> f64) -> Result<Self> {
@@ -53,8 +54,9 @@ impl GramFit {
             let reason = "Distances are measured between two nodes.";
             return Err(Error::TooFew { what: WHAT, counted: "nodes", found: nodes, needed: 2, reason });
         }
+        super::small_enough(record)?;
         let squared = |k: usize, (i, j): (usize, usize), distance: f64| distance * distance - part(k, i, j);
-        let fitted = fitted_pairs(record, degree, squared)?;
+        let fitted = fitted_pairs(WHAT, record, degree, squared)?;
         let coefficients = (0..=degree).map(|l| gram_matrix(nodes, fitted.row(l).iter().copied())).collect();
         Ok(Self { scale: record.time_scale(), coefficients })
     }
@@ -70,48 +72,16 @@ impl GramFit {
     }
 
     /// `B_0, B_1, ...`, the coefficients of the powers of time, m^2/s^l.
-    pub fn powers(&self) -> Vec<DMatrix<f64>> {
-        let mut derivatives = derivatives_of(&self.coefficients, &self.scale);
+    ///
+    /// # Errors
+    /// [`Error::Degenerate`] where they grow beyond all numbers.
+    pub fn powers(&self) -> Result<Vec<DMatrix<f64>>> {
+        let mut derivatives = derivatives_of(&self.coefficients, &self.scale)?;
         let mut factorial = 1.0;
         for (l, derivative) in derivatives.iter_mut().enumerate() {
             factorial *= l.max(1) as f64;
             *derivative /= factorial;
         }
-        derivatives
+        Ok(derivatives)
     }
-}
-
-/// Legendre coefficients of each pair, (degree + 1) x pairs.
-fn fitted_pairs(
-    record: &DistanceRecord,
-    degree: usize,
-    value: impl Fn(usize, (usize, usize), f64) -> f64,
-) -> Result<DMatrix<f64>> {
-    let scale = record.time_scale();
-    let stamps: Vec<f64> = record.stamps().iter().map(|&time| scale.scaled(time)).collect();
-    let every = PolynomialFit::new(WHAT, &stamps, degree)?;
-    let mut values = DMatrix::zeros(stamps.len(), pair_count(record.nodes()));
-    let mut gaps = Vec::new();
-    for (pair, nodes) in pairs(record.nodes()).enumerate() {
-        let mut complete = true;
-        for k in 0..stamps.len() {
-            match record.distances(k)[pair] {
-                Some(distance) => values[(k, pair)] = value(k, nodes, distance),
-                None => complete = false,
-            }
-        }
-        if !complete {
-            gaps.push(pair);
-        }
-    }
-    let mut fitted = every.coefficients(&values);
-    for pair in gaps {
-        let present: Vec<usize> =
-            (0..stamps.len()).filter(|&k| record.distances(k)[pair].is_some()).collect();
-        let own: Vec<f64> = present.iter().map(|&k| stamps[k]).collect();
-        let column = DMatrix::from_fn(own.len(), 1, |row, _| values[(present[row], pair)]);
-        let solution = PolynomialFit::new(WHAT, &own, degree)?.coefficients(&column);
-        fitted.set_column(pair, &solution.column(0));
-    }
-    Ok(fitted)
 }

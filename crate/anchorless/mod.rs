@@ -7,6 +7,7 @@ pub mod distance_matrix;
 pub mod gram_fit;
 pub mod maximum_likelihood;
 pub mod multidimensional_scaling;
+pub mod pair_fit;
 pub mod polynomial_fit;
 pub mod range_polynomial;
 pub mod relative_kinematics;
@@ -78,4 +79,16 @@ pub(crate) fn at_least_nodes(
         return Err(Error::TooFew { what, counted: "nodes", found, needed, reason });
     }
     Ok(())
+}
+
+/// Fourth powers of distances (m) must not overflow.
+const MAX_DISTANCE: f64 = 1e30;
+
+/// Refuses distances whose powers are no numbers.
+pub(crate) fn small_enough(record: &DistanceRecord) -> Result<()> {
+    let mut distances = (0..record.stamps().len()).flat_map(|k| record.distances(k)).copied().flatten();
+    match distances.find(|distance| distance.abs() > MAX_DISTANCE) {
+        Some(value) => Err(Error::Number { what: "a distance", value, limit: "at most 1e30 m" }),
+        None => Ok(()),
+    }
 }

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use nalgebra::DMatrix;
 
 use super::distance_matrix::gram_matrix;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::math::float::sqrt;
 use crate::model::kinematics::distance_record::DistanceRecord;
 use crate::model::kinematics::estimate::KinematicsEstimate;
@@ -52,15 +52,22 @@ pub fn classical_scaling(gram: &DMatrix<f64>, dimension: usize) -> Scaling {
 /// Classical scaling of each epoch alone; an epoch with a missing distance has no positions.
 ///
 /// # Errors
-/// [`crate::Error::TooFew`] for fewer than D + 1 nodes.
+/// [`Error::TooFew`] for fewer than D + 1 nodes, or where every epoch misses a distance; [`Error::Number`] for distances above
+/// 1e30 m.
 pub fn snapshots(record: &DistanceRecord) -> Result<KinematicsEstimate> {
-    let (nodes, dimension) = (record.nodes(), record.dimension());
-    super::at_least_nodes("scaling of each epoch", nodes, dimension + 1, "Fewer do not span the space.")?;
+    let (nodes, dimension, what) = (record.nodes(), record.dimension(), "scaling of each epoch");
+    super::at_least_nodes(what, nodes, dimension + 1, "Fewer do not span the space.")?;
+    super::small_enough(record)?;
     let of_stamp = |k: usize| {
         let distances: Option<Vec<f64>> = record.distances(k).iter().copied().collect();
         let gram = gram_matrix(nodes, distances?.iter().map(|distance| distance * distance));
         Some(classical_scaling(&gram, dimension).positions)
     };
-    let snapshots = (0..record.stamps().len()).map(of_stamp).collect();
+    let snapshots: Vec<Option<DMatrix<f64>>> = (0..record.stamps().len()).map(of_stamp).collect();
+    if snapshots.iter().all(Option::is_none) {
+        let (counted, reason) =
+            ("complete epochs", "Where a distance is missing, positions are not scaled from the others.");
+        return Err(Error::TooFew { what, counted, found: 0, needed: 1, reason });
+    }
     Ok(KinematicsEstimate { snapshots, ..KinematicsEstimate::default() })
 }

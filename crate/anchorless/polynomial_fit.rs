@@ -74,14 +74,17 @@ pub fn powers_of(coefficients: &[DMatrix<f64>]) -> Vec<DMatrix<f64>> {
 }
 
 /// Derivatives by time at time 0 of what has these Legendre coefficients over scaled time.
-pub fn derivatives_of(coefficients: &[DMatrix<f64>], scale: &TimeScale) -> Vec<DMatrix<f64>> {
+///
+/// # Errors
+/// As [`TimeScale::unscale`].
+pub fn derivatives_of(coefficients: &[DMatrix<f64>], scale: &TimeScale) -> Result<Vec<DMatrix<f64>>> {
     let mut derivatives = powers_of(coefficients);
     let mut factorial = 1.0;
     for (l, derivative) in derivatives.iter_mut().enumerate() {
         factorial *= l.max(1) as f64;
         *derivative *= factorial;
     }
-    scale.unscale(&RelativeKinematics::from_coefficients(derivatives)).coefficients().to_vec()
+    Ok(scale.unscale(&RelativeKinematics::from_coefficients(derivatives))?.coefficients().to_vec())
 }
 
 fn combined(coefficients: &[DMatrix<f64>], weights: &DVector<f64>) -> DMatrix<f64> {

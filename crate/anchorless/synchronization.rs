@@ -7,7 +7,7 @@ use nalgebra::DMatrix;
 use super::gram_fit::GramFit;
 use super::multidimensional_scaling::classical_scaling;
 use super::polynomial_fit::{PolynomialFit, powers_of};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::math::legendre::legendre_values;
 use crate::math::orthogonal::nearest_orthogonal;
 use crate::model::kinematics::coefficients::RelativeKinematics;
@@ -18,9 +18,6 @@ use crate::model::kinematics::stacked::from_stacked_powers;
 
 /// What is being computed, for errors.
 const WHAT: &str = "snapshot synchronization";
-
-/// Fourth powers of distances (m) must not overflow.
-const MAX_DISTANCE: f64 = 1e30;
 
 /// Relative kinematics of any degree L in closed form.
 ///
@@ -40,8 +37,8 @@ const MAX_DISTANCE: f64 = 1e30;
 /// and in space, mirrored frames included.
 ///
 /// # Errors
-/// [`Error::TooFew`] for fewer than D + 2 nodes, or where a pair has fewer than 2L + 1 different stamps;
-/// [`Error::Degenerate`] where stamps lie too close; [`Error::Number`] for
+/// [`crate::Error::TooFew`] for fewer than D + 2 nodes, or where a pair has fewer than 2L + 1 different stamps;
+/// [`crate::Error::Degenerate`] where stamps lie too close; [`crate::Error::Number`] for
 /// distances above 1e30 m.
 ///
 /// ```
@@ -57,7 +54,7 @@ pub fn snapshot_sync(record: &DistanceRecord, degree: usize) -> Result<Kinematic
     let Synchronized { motion, fit, cost } = synchronized(record, degree)?;
     Ok(KinematicsEstimate {
         kinematics: Some(motion),
-        gram: fit.powers(),
+        gram: fit.powers()?,
         cost,
         ..KinematicsEstimate::default()
     })
@@ -75,10 +72,6 @@ pub(super) fn synchronized(record: &DistanceRecord, degree: usize) -> Result<Syn
     let (nodes, dimension) = (record.nodes(), record.dimension());
     let reason = "With fewer, any rotation at each instant is a polynomial motion too.";
     super::at_least_nodes(WHAT, nodes, dimension + 2, reason)?;
-    let distances = (0..record.stamps().len()).flat_map(|k| record.distances(k)).copied().flatten();
-    if let Some(value) = distances.into_iter().find(|distance| distance.abs() > MAX_DISTANCE) {
-        return Err(Error::Number { what: "a distance", value, limit: "at most 1e30 m" });
-    }
     let fit = GramFit::new(record, 2 * degree)?;
     let scale = record.time_scale();
     let instants = chebyshev_nodes(instant_count(nodes, dimension, degree));
@@ -96,7 +89,7 @@ pub(super) fn synchronized(record: &DistanceRecord, degree: usize) -> Result<Syn
     let powers = powers_of(&(0..=degree).map(of_legendre).collect::<Vec<_>>());
     let stacked: Vec<f64> = powers.iter().flat_map(|power| power.iter().copied()).collect();
     let scaled = from_stacked_powers(dimension, nodes, &stacked).centred();
-    Ok(Synchronized { motion: scale.unscale(&scaled), fit, cost })
+    Ok(Synchronized { motion: scale.unscale(&scaled)?, fit, cost })
 }
 
 /// M.

@@ -32,6 +32,7 @@ impl Failure {
         match error {
             Error::Unobservable { .. }
             | Error::TooFew { .. }
+            | Error::PairTooFew { .. }
             | Error::Degenerate { .. }
             | Error::NotPositiveDefinite { .. }
             | Error::NoConvergence { .. } => Self::Other(sentence),

@@ -12,6 +12,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::factorial::factorial;
 use super::float::{cos, sin, sqrt};
 use super::rotation::hat;
 
@@ -52,8 +53,7 @@ fn series(n: usize, theta_squared: f64) -> f64 {
         let m = (2 * k + n) as f64;
         sum = 1.0 - sum * theta_squared / (m * (m + 1.0));
     }
-    let factorial: f64 = (1..=n + 1).map(|i| i as f64).product();
-    sum / factorial
+    sum / factorial(n + 1)
 }
 
 /// `G_1`, `G_2` and their derivatives for one rotation vector.

@@ -5,6 +5,7 @@ pub mod chi_squared;
 pub mod cholesky;
 pub mod definite;
 pub mod exponential_integral;
+pub mod factorial;
 pub mod float;
 pub mod legendre;
 pub mod linalg;

@@ -7,8 +7,8 @@ use core::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-use super::document::check::{Check, Limit, accept};
-use super::document::parse_part;
+use super::document::check::{Check, Limit};
+use super::document::read_part;
 use crate::error::{Error, Problem};
 use crate::math::rotation::Manifold;
 
@@ -175,9 +175,7 @@ impl EstimatorSettings {
     /// # Ok::<(), rangelab::Error>(())
     /// ```
     pub fn from_json(text: &str) -> Result<Self, Error> {
-        let settings: Self = parse_part("estimator settings", text)?;
-        accept("estimator settings", settings.validate())?;
-        Ok(settings)
+        read_part("estimator settings", text, Self::validate)
     }
 
     /// Every problem: path, value, limit.

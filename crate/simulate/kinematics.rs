@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector};
 use super::random::{Part, Stream};
 use crate::error::Result;
 use crate::math::float::sqrt;
-use crate::model::kinematics::coefficients::RelativeKinematics;
+use crate::model::kinematics::coefficients::{RelativeKinematics, squared_distance};
 use crate::model::kinematics::distance_record::{Accelerometers, DistanceRecord, pairs};
 use crate::model::kinematics::{KinematicsScenario, KinematicsSetup};
 
@@ -79,7 +79,7 @@ fn measure_distances(
     for (i, j) in pairs(positions.ncols()) {
         let lost = stream.uniform() < noise.missing_probability;
         let error = noise.sigma_distance * stream.normal();
-        let exact = sqrt((positions.column(i) - positions.column(j)).norm_squared());
+        let exact = sqrt(squared_distance(positions, i, j));
         distances.push((!lost).then_some(exact + error));
     }
 }

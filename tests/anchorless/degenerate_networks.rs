@@ -4,30 +4,29 @@ use rangelab::Error;
 use rangelab::anchorless::estimate;
 use rangelab::bounds::kinematics::{KinematicsBound, KinematicsDesign};
 use rangelab::model::kinematics::KinematicsScenario;
+use rangelab::model::kinematics::coefficients::RelativeKinematics;
 use rangelab::model::kinematics::distance_record::{DistanceRecord, pair_count};
+use rangelab::model::kinematics::estimate::KinematicsEstimate;
 use rangelab::model::kinematics::settings::KinematicsName;
-use rangelab::model::kinematics::stamps::Stamps;
+use rangelab::model::kinematics::stamps::{LEAST_SPREAD, Stamps};
 use rangelab::simulate::kinematics::simulate_kinematics;
+use rangelab::study::kinematics::bounds::kinematics_bounds;
+use rangelab::study::kinematics::errors::Yardstick;
 
 use crate::networks::{exact, motion, paper, random};
 
-const NAMES: [KinematicsName; 5] = [
-    KinematicsName::SnapshotSync,
-    KinematicsName::MaximumLikelihood,
-    KinematicsName::MaximumLikelihoodFull,
-    KinematicsName::MaximumLikelihoodAccelerometers,
-    KinematicsName::MaximumLikelihoodAccelerometersFull,
-];
+/// All numbers of an estimate are numbers.
+pub fn is_finite(found: &KinematicsEstimate) -> bool {
+    let motion = found.kinematics.iter().flat_map(RelativeKinematics::coefficients);
+    let all = motion.chain(&found.gram).chain(found.snapshots.iter().flatten()).chain(&found.rotation);
+    all.flat_map(|matrix| matrix.iter()).all(|value| value.is_finite()) && found.cost.is_finite()
+}
 
 #[track_caller]
 fn sound(what: &str, scenario: &KinematicsScenario, record: &DistanceRecord) {
-    for name in NAMES {
+    for name in KinematicsName::ALL {
         match estimate(name, &scenario.estimators, record) {
-            Ok(found) => {
-                let motion = found.kinematics.expect("it finds the motion");
-                let finite = motion.coefficients().iter().all(|y| y.iter().all(|value| value.is_finite()));
-                assert!(finite && found.cost.is_finite(), "{what}, {name}: not finite");
-            }
+            Ok(found) => assert!(is_finite(&found), "{what}, {name}: not finite"),
             Err(error) => {
                 let sentence = error.to_string();
                 assert!(!sentence.contains("NaN"), "{what}, {name}: {sentence}");
@@ -104,8 +103,59 @@ fn nodes_that_are_one() {
 
 #[test]
 fn stamps_that_are_one_or_nearly() {
-    for times in [vec![1.0; 8], (0..8).map(|k| 1.0 + 1e-9 * f64::from(k)).collect()] {
+    for times in [vec![1.0; 8], (0..8).map(|k| 1.0 + 1e-6 * f64::from(k)).collect()] {
         simulated("stamps", &changed(|scenario| scenario.stamps = Stamps::Listed { times: times.clone() }));
+    }
+}
+
+/// A document may not ask for them, a record that is put together by hand may.
+#[test]
+fn stamps_closer_than_any_clock() {
+    for gap in [1e-9, 1e-19, 1e-80, 1e-200, 1e-310] {
+        for (first, range_degree, degree) in [(0.0, 4, 2), (0.0, 16, 3), (0.5, 4, 2)] {
+            let close = changed(|scenario| {
+                let times = (0..18).map(|k| first + gap * f64::from(k)).collect();
+                scenario.stamps = Stamps::Listed { times };
+                (scenario.estimators.range_degree, scenario.estimators.degree) = (range_degree, degree);
+            });
+            let stamps = close.stamps.times();
+            if !(stamps[17] > stamps[0]) {
+                continue;
+            }
+            let [problem] = &close.validate()[..] else { panic!("{gap:e}: {:?}", close.validate()) };
+            assert!(problem.to_string().starts_with("stamps is "), "{problem}");
+            let wide = simulate_kinematics(&paper(18), 0).unwrap().record;
+            let distances = (0..18).flat_map(|k| wide.distances(k).to_vec()).collect();
+            let record = DistanceRecord::new(2, 10, stamps.clone(), distances, 0.01).unwrap();
+            let record = record.with_accelerometers(wide.accelerometers().unwrap().clone()).unwrap();
+            sound(&format!("{gap:e} s"), &close, &record);
+            for design in [
+                KinematicsDesign::distances(&stamps, &close.noise),
+                KinematicsDesign::with_accelerometers(&stamps, &close.noise),
+            ] {
+                let bound = KinematicsBound::new(&motion(&paper(18)), &design);
+                assert!(matches!(bound, Err(Error::Number { .. })), "{gap:e} s: {bound:?}");
+            }
+        }
+    }
+}
+
+/// The shortest time that a document may take.
+#[test]
+fn stamps_as_close_as_they_may_be() {
+    for first in [0.0, 999_999.0] {
+        let close = changed(|scenario| {
+            let times = (0..18).map(|k| first + LEAST_SPREAD * 1.01 * f64::from(k) / 17.0).collect();
+            scenario.stamps = Stamps::Listed { times };
+            (scenario.estimators.range_degree, scenario.estimators.degree) = (16, 8);
+        });
+        assert_eq!(close.validate(), []);
+        simulated("close", &close);
+        let (setup, noise) = (close.setup().unwrap(), close.noise);
+        for report in kinematics_bounds(&close, &setup, &Yardstick::new(&close, &setup)) {
+            let lists = [report.coefficients, report.gram, report.positions, report.aligned_positions];
+            assert!(lists.iter().flatten().all(|value| value.is_finite()), "{first} s, {noise:?}");
+        }
     }
 }
 

@@ -3,13 +3,13 @@
 use rangelab::Error;
 use rangelab::anchorless::estimate;
 use rangelab::model::kinematics::KinematicsScenario;
-use rangelab::model::kinematics::coefficients::RelativeKinematics;
-use rangelab::model::kinematics::distance_record::DistanceRecord;
+use rangelab::model::kinematics::distance_record::{DistanceRecord, pairs};
 use rangelab::model::kinematics::presets::KINEMATICS_PRESETS;
 use rangelab::model::kinematics::settings::KinematicsName::{self, *};
 use rangelab::model::kinematics::stamps::Stamps;
 use rangelab::simulate::kinematics::simulate_kinematics;
 
+use crate::degenerate_networks::is_finite;
 use crate::networks::{exact, paper, random};
 use crate::scenes::error_of;
 
@@ -85,10 +85,57 @@ fn stamps_that_nearly_coincide_are_degenerate() {
 fn a_pair_that_is_never_measured_is_refused() {
     let mut scenario = paper(20);
     scenario.noise.missing_probability = 1.0;
-    too_few(Algorithm1So, &scenario, "different stamps", 0, 5);
-    let trial = simulate_kinematics(&scenario, 0).unwrap();
-    let found = estimate(MultidimensionalScaling, &scenario.estimators, &trial.record).unwrap();
-    assert!(found.snapshots.iter().all(Option::is_none));
+    assert!(matches!(refusal(Algorithm1So, &scenario), Error::PairTooFew { pair: (0, 1), found: 0, .. }));
+    too_few(MultidimensionalScaling, &scenario, "complete epochs", 0, 1);
+}
+
+/// The record without the distance between two nodes at all stamps but the first few.
+fn without_pair(scenario: &KinematicsScenario, pair: (usize, usize), kept: usize) -> DistanceRecord {
+    let record = simulate_kinematics(scenario, 0).unwrap().record;
+    let number = pairs(record.nodes()).position(|each| each == pair).unwrap();
+    let of_stamp = |k: usize| {
+        let mut distances = record.distances(k).to_vec();
+        distances[number] = distances[number].filter(|_| k < kept);
+        distances
+    };
+    let (stamps, sigma) = (record.stamps().to_vec(), record.sigma());
+    let distances = (0..stamps.len()).flat_map(of_stamp).collect();
+    let left = DistanceRecord::new(record.dimension(), record.nodes(), stamps, distances, sigma).unwrap();
+    left.with_accelerometers(record.accelerometers().unwrap().clone()).unwrap()
+}
+
+#[test]
+fn one_pair_that_measures_too_rarely_is_named() {
+    let scenario = paper(20);
+    let refused = |name, kept| {
+        let record = without_pair(&scenario, (2, 6), kept);
+        estimate(name, &scenario.estimators, &record).unwrap_err()
+    };
+    let needs = [
+        (Algorithm1So, 5),
+        (Algorithm2So, 4),
+        (SnapshotSync, 5),
+        (MaximumLikelihood, 5),
+        (RangePolynomial, 5),
+    ];
+    for (name, needed) in needs {
+        for kept in [0, 1, needed - 1] {
+            let error = refused(name, kept);
+            let expected = (kept, needed);
+            assert!(
+                matches!(error, Error::PairTooFew { pair: (2, 6), found, needed, .. } if (found, needed) == expected),
+                "{name}: {error}"
+            );
+        }
+        let record = without_pair(&scenario, (2, 6), needed);
+        assert!(estimate(name, &scenario.estimators, &record).is_ok(), "{name}");
+    }
+    let sentence = refused(SnapshotSync, 0).to_string();
+    assert!(
+        sentence.contains("between nodes 3 and 7") && sentence.ends_with("never measured it"),
+        "{sentence}"
+    );
+    assert!(refused(SnapshotSync, 1).to_string().ends_with("measured it at one only"));
 }
 
 #[test]
@@ -148,15 +195,21 @@ fn nodes_in_one_point_are_refused_and_two_at_one_point_are_not() {
 }
 
 #[test]
-fn records_without_accelerations_are_refused_by_algorithm_2() {
+fn records_without_accelerations_are_refused_alike_by_all_that_read_them() {
     let scenario = paper(20);
     let record = simulate_kinematics(&scenario, 0).unwrap().record.without_accelerometers();
-    let error = estimate(Algorithm2So, &scenario.estimators, &record).unwrap_err();
-    assert!(
-        matches!(error, Error::TooFew { counted: "accelerometers", found: 0, needed: 10, .. }),
-        "{error}"
-    );
-    assert!(estimate(Algorithm1So, &scenario.estimators, &record).is_ok());
+    for name in KinematicsName::ALL {
+        let found = estimate(name, &scenario.estimators, &record);
+        if !name.reads_accelerations() {
+            assert!(found.is_ok(), "{name}");
+            continue;
+        }
+        let error = found.unwrap_err();
+        assert!(
+            matches!(error, Error::TooFew { counted: "accelerometers", found: 0, needed: 10, .. }),
+            "{name}: {error}"
+        );
+    }
 }
 
 #[test]
@@ -186,9 +239,7 @@ fn records_are_checked() {
     // No stamp at all, and no node at all.
     for record in [record(2, 5, &[], &[], 0.1).unwrap(), record(2, 0, &[0.0], &[], 0.1).unwrap()] {
         for name in KinematicsName::ALL {
-            if name != MultidimensionalScaling || record.nodes() == 0 {
-                assert!(estimate(name, &paper(5).estimators, &record).is_err(), "{name}");
-            }
+            assert!(estimate(name, &paper(5).estimators, &record).is_err(), "{name}");
         }
     }
 }
@@ -201,14 +252,7 @@ fn no_preset_ends_in_nan() {
         let trial = simulate_kinematics(&scenario, 0).unwrap();
         for name in KinematicsName::ALL {
             let Ok(found) = estimate(name, &scenario.estimators, &trial.record) else { continue };
-            let motion = found.kinematics.iter().flat_map(RelativeKinematics::coefficients);
-            let all =
-                motion.chain(&found.gram).chain(found.snapshots.iter().flatten()).chain(&found.rotation);
-            assert!(
-                all.flat_map(|matrix| matrix.iter()).all(|value| value.is_finite()),
-                "{name}, {}",
-                preset.name
-            );
+            assert!(is_finite(&found), "{name}, {}", preset.name);
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Centring, alignment and scaled time.
 
 use nalgebra::{DMatrix, dmatrix};
+use rangelab::Error;
 use rangelab::model::kinematics::coefficients::RelativeKinematics;
 use rangelab::model::kinematics::gauge::procrustes;
 use rangelab::model::kinematics::pair_polynomial::{chebyshev_nodes, lagrange_values, pair_polynomials};
@@ -46,6 +47,20 @@ fn alignment_undoes_turns_mirrors_and_shifts() {
 
 /// What aligning each coefficient by itself would hide: accelerations turned against the positions.
 #[test]
+fn networks_of_other_sizes_are_not_aligned() {
+    let truth = motion(2, 1);
+    let zeros = |dimension, nodes| RelativeKinematics::new(vec![DMatrix::zeros(dimension, nodes)]).unwrap();
+    let refused = |other: &RelativeKinematics| match other.aligned_to(&truth).unwrap_err() {
+        Error::Size { what, found, expected } => (what, found, expected),
+        other => panic!("{other}"),
+    };
+    let nodes = truth.nodes();
+    assert_eq!(refused(&zeros(2, nodes + 1)), ("nodes", nodes + 1, nodes));
+    assert_eq!(refused(&zeros(3, nodes)), ("coordinates of a node", 3, 2));
+    assert!(zeros(2, nodes).aligned_to(&truth).is_ok());
+}
+
+#[test]
 fn one_alignment_shows_accelerations_turned_the_wrong_way() {
     let truth = motion(2, 6).centred();
     let [turn, _] = turns(2);
@@ -67,7 +82,7 @@ fn scaled_time_is_another_way_to_write_the_same_motion() {
         let (here, there) = (motion.positions(time), scaled.positions(scale.scaled(time)));
         assert!((here - there).amax() < 1e-9);
     }
-    assert!(largest_error(&scale.unscale(&scaled), &motion) < 1e-10);
+    assert!(largest_error(&scale.unscale(&scaled).unwrap(), &motion) < 1e-10);
     let once = TimeScale::of(&[3.0, 3.0]);
     assert_eq!((once.middle, once.half), (3.0, 1.0));
 }

@@ -1,6 +1,7 @@
 //! The bound of relative kinematics against one by explicit constraints, finite differences and an independent program.
 
 use nalgebra::{DMatrix, DVector};
+use rangelab::Error;
 use rangelab::bounds::kinematics::{Alignment, KinematicsBound, KinematicsDesign};
 use rangelab::model::kinematics::KinematicsScenario;
 use rangelab::model::kinematics::coefficients::{RelativeKinematics, centred_columns};
@@ -330,6 +331,23 @@ fn positions_over_time() {
     at_most("ends", (at(&distances, 5.0, Alignment::AtEach) / 1.5 - 1.0).abs(), 0.06);
     at_most("with accelerometers", (at(&accelerometers, 5.0, Alignment::AtZero) / 10.2 - 1.0).abs(), 0.06);
     at_most("with, each", (at(&accelerometers, 5.0, Alignment::AtEach) / 1.2 - 1.0).abs(), 0.06);
+}
+
+/// Nodes without acceleration are after a time where the tips of their velocities lay, drawn as long.
+#[test]
+fn tips_of_velocities_are_where_the_nodes_will_be() {
+    for scenario in [random(54, 2, 6, 1), random(55, 3, 6, 1)] {
+        let design = KinematicsDesign::distances(&scenario.setup().unwrap().stamps, &scenario.noise);
+        let bound = KinematicsBound::new(&motion(&scenario), &design).unwrap();
+        let later = bound.position_covariance(3.0, Alignment::AtZero).unwrap();
+        let difference = |factor| {
+            let tips = bound.tip_covariance(1, factor).unwrap();
+            (tips - &later).norm() / later.norm()
+        };
+        at_most("tips", difference(3.0), 1e-10);
+        caught("tips of shorter arrows", difference(2.9), 1e-3);
+        assert!(matches!(bound.tip_covariance(2, 1.0), Err(Error::Size { found: 2, expected: 3, .. })));
+    }
 }
 
 /// The bound does not depend on the frame or the origin in which the motion is written.

@@ -87,5 +87,5 @@ fn accelerations_are_asked_for_and_have_to_be_there() {
     let record = simulate_kinematics(&scenario, 0).unwrap().record;
     assert!(matches!(estimate(name, &scenario.estimators, &record), Err(Error::Number { value: 1.0, .. })));
     let bare = record.without_accelerometers();
-    assert!(matches!(estimate(name, &scenario.estimators, &bare), Err(Error::Size { found: 0, .. })));
+    assert!(matches!(estimate(name, &scenario.estimators, &bare), Err(Error::TooFew { found: 0, .. })));
 }

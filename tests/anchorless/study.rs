@@ -57,6 +57,20 @@ fn a_study_of_one_trial_is_the_run() {
     assert_eq!(values(&summary.aligned_positions), run.aligned_position_errors);
 }
 
+/// A fit of degree 0 has no `B_1`: no error is said, least of all none.
+#[test]
+fn what_is_not_measured_has_no_error() {
+    let mut scenario = paper(10);
+    scenario.steps = 3;
+    scenario.estimators.degree = 0;
+    scenario.estimators.enabled = vec![SnapshotSync, MultidimensionalScaling];
+    let report = KinematicsMonteCarlo::new(&scenario, 2).unwrap().run().unwrap();
+    let [motion, epochs] = [0, 1].map(|index| &report.estimators[index].summary);
+    assert_eq!((motion.failures, motion.gram.len(), epochs.gram.len()), (0, 1, 0));
+    let all = [&motion.coefficients, &motion.gram, &motion.positions, &motion.aligned_positions];
+    assert!(all.into_iter().flatten().all(|error| error.value > 0.0), "{motion:?}");
+}
+
 #[test]
 fn estimators_that_refuse_are_counted() {
     let mut scenario = paper(4);

@@ -177,6 +177,14 @@ test("errors over K come from workers, beside their bounds", async ({ page }) =>
   await page.getByRole("button", { name: "Stop" }).click();
   await expect(lab.plot("Velocity RMSE, Y1")).toBeVisible();
   await expect(page.getByText(/is at its bound in velocity/)).toBeVisible();
+  // The table is of the same trials, at the scenario's own number of stamps, with standard errors.
+  await expect(page.getByText(/^RMSE of \d+ trials, K = 100, at t = 0$/)).toBeVisible();
+  const [, velocity] = await read(page, "maximum-likelihood");
+  const [value, standardError] = velocity.split("±").map(Number);
+  expect(standardError).toBeGreaterThan(0);
+  expect(standardError).toBeLessThan(value / 3);
+  await page.getByRole("button", { name: "One run", exact: true }).click();
+  await expect(page.getByText("Errors of this trial at t = 0")).toBeVisible();
 });
 
 test("a drag is answered live", async ({ page }) => {

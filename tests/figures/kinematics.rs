@@ -1,6 +1,12 @@
 //! The figures of relative kinematics. At the few trials of these tests some claims stay open that are decided at full size.
 
-use super::claims_come_out_over;
+use rangelab::model::kinematics::settings::KinematicsName::Algorithm2Rank1;
+use rangelab::study::figures::claim::Verdict;
+use rangelab::study::figures::experiment::Study;
+use rangelab::study::figures::report::FigureReport;
+use rangelab::study::kinematics::report::KinematicsReport;
+
+use super::{claims_come_out_over, computed, plan};
 
 pub const FAIL: [&str; 11] = [
     "RMSE(B1) of Algorithm 2 over that of Algorithm 1, worst",
@@ -15,7 +21,9 @@ pub const FAIL: [&str; 11] = [
     "RMSE of Algorithm 2 at t = -5 s, the noise a thousandth",
     "RMSE of Algorithm 2 at t = 5 s, the noise a thousandth",
 ];
-pub const OPEN: [&str; 7] = [
+pub const OPEN: [&str; 8] = [
+    // Its largest trial makes the figure.
+    "RMSE(Y1) of Algorithm 1, as printed over that of Algorithm 1, rank one",
     "RMSE(Y0) of Snapshot synchronization over",
     "RMSE(Y0) of ML, distances over the CRB",
     "RMSE(Y1) of ML, distances over the CRB",
@@ -27,16 +35,23 @@ pub const OPEN: [&str; 7] = [
 
 const TRIALS: usize = 200;
 
+/// A ratio of estimators of which one failed where it is hard says nothing.
+#[track_caller]
+fn none_fails(reports: &[FigureReport]) {
+    for report in reports {
+        let curves = report.panels.iter().flat_map(|panel| &panel.curves);
+        for curve in curves {
+            let failures: usize = curve.points.iter().map(|point| point.failures).sum();
+            assert_eq!(failures, 0, "{}, {}", report.name, curve.name);
+        }
+    }
+}
+
 #[test]
 fn figure_1() {
-    claims_come_out_over(
-        TRIALS,
-        &[(
-            "kinematics-1",
-            35,
-            &[("algorithm-1-rank1", "range-polynomial", 10), ("algorithm-1-rank1", "algorithm-2-rank1", 2)],
-        )],
-    );
+    let spoils =
+        [("algorithm-1-rank1", "range-polynomial", 10), ("algorithm-1-rank1", "algorithm-2-rank1", 2)];
+    none_fails(&claims_come_out_over(TRIALS, &[("kinematics-1", 38, &spoils)]));
 }
 
 #[test]
@@ -46,7 +61,7 @@ fn figure_2a() {
         ("maximum-likelihood", "algorithm-2-rank1", 5),
         ("algorithm-2-rank1", "algorithm-2-so", 1),
     ];
-    claims_come_out_over(TRIALS, &[("kinematics-2a", 28, &spoils)]);
+    none_fails(&claims_come_out_over(TRIALS, &[("kinematics-2a", 44, &spoils)]));
 }
 
 #[test]
@@ -56,5 +71,29 @@ fn figure_2b() {
         ("maximum-likelihood", "algorithm-1-rank1", 2),
         ("algorithm-2-so", "algorithm-1-rank1", 2),
     ];
-    claims_come_out_over(TRIALS, &[("kinematics-2b", 15, &spoils)]);
+    none_fails(&claims_come_out_over(TRIALS, &[("kinematics-2b", 17, &spoils)]));
+}
+
+fn points(study: &mut Study) -> &mut Vec<KinematicsReport> {
+    let Study::Kinematics(report) = study else { panic!("another kind of study") };
+    &mut report.points
+}
+
+#[test]
+fn claims_about_an_estimator_that_failed_have_no_number() {
+    let plan = plan("kinematics-2b", 2, 1);
+    let mut studies = plan.studies(&computed(&plan)).unwrap();
+    let sound = plan.report_of(&studies).claims;
+    assert!(sound.iter().all(|claim| claim.found.is_some()));
+    let estimators = studies.iter_mut().flat_map(points).flat_map(|point| &mut point.estimators);
+    estimators.filter(|each| each.name == Algorithm2Rank1).for_each(|each| each.summary.failures = 1);
+    let spoiled = plan.report_of(&studies).claims;
+    let lost: Vec<bool> = spoiled.iter().map(|claim| claim.found.is_none()).collect();
+    // The paper's Algorithm 2 is that of rank one; "Algorithm 2, O(D)" is another.
+    let about: Vec<bool> =
+        spoiled.iter().map(|claim| claim.what.starts_with("RMSE of Algorithm 2 ")).collect();
+    assert_eq!(lost, about);
+    assert_eq!(lost.iter().filter(|lost| **lost).count(), 3);
+    studies.iter_mut().map(points).for_each(Vec::clear);
+    assert!(plan.report_of(&studies).claims.iter().all(|claim| claim.verdict == Verdict::NotDecided));
 }

@@ -1,5 +1,6 @@
 //! Sweeps of kinematics scenarios: at each K what a study of that scenario alone finds; rows of numbers that are no block.
 
+use rangelab::Error;
 use rangelab::model::kinematics::KinematicsScenario;
 use rangelab::model::kinematics::presets::kinematics_preset;
 use rangelab::model::kinematics::settings::KinematicsName::{Algorithm2Rank1, RangePolynomial};
@@ -62,4 +63,9 @@ fn what_is_no_block_is_refused() {
     assert!(KinematicsSweepBlock::from_numbers(&sweep, &longer).is_err());
     assert!(sweep.blocks(0).is_err() && sweep.blocks(1_000_001).is_err());
     assert!(KinematicsSweep::new(scenario(), &[10, 0]).is_err());
+    // More stamps than there is memory for are refused before they are made.
+    let stamps = Stamps::Regular { first: -5.0, last: 5.0, count: usize::MAX };
+    let endless = KinematicsScenario { stamps: stamps.clone(), ..scenario() };
+    assert!(matches!(KinematicsSweep::new(endless, &[10]), Err(Error::Invalid { .. })));
+    assert_eq!(stamps.evenly(3).times(), [-5.0, 0.0, 5.0]);
 }

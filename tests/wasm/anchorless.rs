@@ -2,12 +2,14 @@
 #![cfg(target_arch = "wasm32")]
 
 use rangelab::model::kinematics::presets::{KINEMATICS_PRESETS, kinematics_preset};
-use rangelab::study::kinematics::bounds::node_covariances;
+use rangelab::study::kinematics::bounds::{KinematicsBounds, NodeQuantity};
+use rangelab::study::kinematics::deviations::KinematicsDeviations;
+use rangelab::study::kinematics::errors::Yardstick;
 use rangelab::study::kinematics::monte_carlo::KinematicsMonteCarlo;
 use rangelab::study::kinematics::run::run_kinematics;
 use rangelab::study::kinematics::spectrum::gram_spectrum;
 use rangelab_anchorless::{
-    AnchorlessSum, anchorless_block, anchorless_bounds, anchorless_covariances, anchorless_preset_scenario,
+    AnchorlessBounds, AnchorlessSum, anchorless_block, anchorless_bounds, anchorless_preset_scenario,
     anchorless_presets, anchorless_spectrum, complete_anchorless, run_anchorless, validate_anchorless,
 };
 use serde_json::{Value, to_string};
@@ -41,6 +43,7 @@ fn a_run_as_arrays_is_the_run_of_the_crate() {
         let text = scenario.to_json();
         let run = run_anchorless(&text, 2).ok().unwrap();
         let native = run_kinematics(&scenario, 2).unwrap();
+        let deviations = KinematicsDeviations::of(&native).unwrap();
         assert_eq!(to_string(run.document()).unwrap(), to_string(&native).unwrap());
         let size = scenario.steps * scenario.nodes() * scenario.dimension();
         assert_eq!((run.times(), run.truth().len()), (native.instants.clone(), size));
@@ -48,9 +51,8 @@ fn a_run_as_arrays_is_the_run_of_the_crate() {
             let found = !estimator.coefficients.is_empty();
             assert_eq!(run.errors(index).len(), if found { size } else { 0 });
             assert_eq!(run.position_errors(index), estimator.position_errors);
-            let Some(velocities) = estimator.coefficients.get(1) else { continue };
-            let errors = run.coefficient_error(index, 1);
-            assert_eq!(errors[0].to_bits(), (velocities[0][0] - native.truth[1][0][0]).to_bits());
+            let Some(motion) = &deviations.estimators[index].motion else { continue };
+            assert_eq!(run.coefficient_error(index, 1), motion.coefficient(1).as_slice());
         }
         let spectrum = anchorless_spectrum(&text, 2).ok().unwrap();
         assert_eq!(spectrum, to_string(&gram_spectrum(&scenario, 2).unwrap()).unwrap());
@@ -65,12 +67,20 @@ fn bounds_are_those_of_the_crate() {
     let own = to_string(&[native.report(&native.start()).bounds]).unwrap();
     assert_eq!(anchorless_bounds(&text, &[]).ok().unwrap(), own);
     assert_eq!(anchorless_bounds(&text, &[10]).ok().unwrap(), own);
-    let covariances = anchorless_covariances(&text, true, 3.0).ok().unwrap();
-    let expected = node_covariances(&scenario, true, 3.0).unwrap();
-    assert_eq!(covariances[..4], *expected[0].as_slice());
+    let bounds = AnchorlessBounds::new(&text).ok().unwrap();
+    assert_eq!(format!("[{}]", bounds.reports()), own);
+    let setup = scenario.setup().unwrap();
+    let native = KinematicsBounds::new(&scenario, &setup, &Yardstick::new(&scenario, &setup));
+    let expected = |accelerations, quantity| native.node_covariances(accelerations, quantity).unwrap();
+    let covariances = bounds.positions(true, 3.0).ok().unwrap();
+    assert_eq!(covariances[..4], *expected(true, NodeQuantity::Position(3.0))[0].as_slice());
     assert_eq!(covariances.len(), 4 * scenario.nodes());
+    let tip = NodeQuantity::Tip { coefficient: 1, factor: 20.0 };
+    let tips = bounds.tips(false, 1, 20.0).ok().unwrap();
+    assert_eq!(tips[4..8], *expected(false, tip)[1].as_slice());
+    assert!(bounds.tips(false, 3, 1.0).is_err());
     let exact = text.replace("\"sigma_distance\":0.01", "\"sigma_distance\":0.0");
-    assert!(exact != text && anchorless_covariances(&exact, false, 0.0).is_err());
+    assert!(exact != text && AnchorlessBounds::new(&exact).ok().unwrap().positions(false, 0.0).is_err());
 }
 
 /// Blocks of workers, joined, are the study of the crate, at each number of stamps.

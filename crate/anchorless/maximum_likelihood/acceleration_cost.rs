@@ -27,12 +27,9 @@ impl AccelerationCost {
     /// The readings of a record and a motion of some degree.
     ///
     /// # Errors
-    /// [`Error::Size`] where there are none, [`Error::Number`] for a degree below 2.
+    /// [`Error::TooFew`] where there are none, [`Error::Number`] for a degree below 2.
     pub fn new(record: &DistanceRecord, degree: usize) -> Result<Self> {
-        let Some(accelerometers) = record.accelerometers() else {
-            let what = "stamps with accelerations";
-            return Err(Error::Size { what, found: 0, expected: record.stamps().len() });
-        };
+        let accelerometers = record.needed_accelerometers(super::WHAT)?;
         if degree < 2 {
             let (what, limit) = ("the degree of the motion", "at least 2 where accelerations are read");
             return Err(Error::Number { what, value: degree as f64, limit });

@@ -59,12 +59,9 @@ pub fn maximum_likelihood(
     degree: usize,
     detail: Detail,
 ) -> Result<KinematicsEstimate> {
-    from_distances(record, degree, detail).map(|found| estimate_of(found, None))
-}
-
-fn from_distances(record: &DistanceRecord, degree: usize, detail: Detail) -> Result<Found> {
     let start = synchronized(record, degree)?.motion;
-    from_start(record, None, &start, detail)
+    let pairs = PairCosts::new(record, degree, Detail::Compressed);
+    from_start(record, &pairs, None, &start, detail).map(|found| estimate_of(found, None))
 }
 
 /// Maximum likelihood from distances and accelerations, from the start of [`joint_start`]; the motion is given in the frame
@@ -88,8 +85,10 @@ pub fn maximum_likelihood_with_accelerometers(
     degree: usize,
     detail: Detail,
 ) -> Result<KinematicsEstimate> {
-    let (start, before) = joint_start(record, degree)?;
-    let found = from_start(record, Some(&AccelerationCost::new(record, degree)?), &start, detail)?;
+    let readings = AccelerationCost::new(record, degree)?;
+    let pairs = PairCosts::new(record, degree, Detail::Compressed);
+    let (start, before) = start_in_frame(record, &pairs, &readings)?;
+    let found = from_start(record, &pairs, Some(&readings), &start, detail)?;
     let rotation = DMatrix::identity(record.dimension(), record.dimension());
     let iterations = before + found.iterations;
     Ok(estimate_of(Found { iterations, ..found }, Some(rotation)))
@@ -102,11 +101,21 @@ pub fn maximum_likelihood_with_accelerometers(
 /// is the same one.
 ///
 /// # Errors
-/// As [`maximum_likelihood`]; [`Error::Size`] where the record has no accelerations, [`Error::Number`] for motions of degree
+/// As [`maximum_likelihood`]; [`Error::TooFew`] where the record has no accelerations, [`Error::Number`] for motions of degree
 /// below 2, which have none.
 pub fn joint_start(record: &DistanceRecord, degree: usize) -> Result<(RelativeKinematics, usize)> {
     let readings = AccelerationCost::new(record, degree)?;
-    let Found { motion, iterations, .. } = from_distances(record, degree, Detail::Compressed)?;
+    start_in_frame(record, &PairCosts::new(record, degree, Detail::Compressed), &readings)
+}
+
+/// [`joint_start`] from pairs that are compressed already.
+fn start_in_frame(
+    record: &DistanceRecord,
+    pairs: &PairCosts,
+    readings: &AccelerationCost,
+) -> Result<(RelativeKinematics, usize)> {
+    let start = synchronized(record, pairs.degree())?.motion;
+    let Found { motion, iterations, .. } = descended(record, pairs, None, &start)?;
     let stacked = stacked_powers(&record.time_scale().scale(&motion));
     Ok((motion.rotated(&readings.frame(record.dimension(), &stacked)?), iterations))
 }
@@ -126,12 +135,13 @@ pub fn refined(
     if start.dimension() != record.dimension() || start.nodes() != record.nodes() {
         return Err(Error::Size { what: "coordinates in the start", found, expected });
     }
+    let pairs = PairCosts::new(record, start.degree(), detail);
     if record.accelerometers().is_none() {
-        return descended(record, None, start, detail).map(|found| estimate_of(found, None));
+        return descended(record, &pairs, None, start).map(|found| estimate_of(found, None));
     }
     let accelerations = AccelerationCost::new(record, start.degree())?;
     let rotation = DMatrix::identity(record.dimension(), record.dimension());
-    descended(record, Some(&accelerations), start, detail).map(|found| estimate_of(found, Some(rotation)))
+    descended(record, &pairs, Some(&accelerations), start).map(|found| estimate_of(found, Some(rotation)))
 }
 
 /// What a descent found.
@@ -155,30 +165,31 @@ fn estimate_of(found: Found, rotation: Option<DMatrix<f64>>) -> KinematicsEstima
 /// Compressed pairs lead to where single distances are a step or two from their minimum.
 fn from_start(
     record: &DistanceRecord,
+    compressed: &PairCosts,
     accelerations: Option<&AccelerationCost>,
     start: &RelativeKinematics,
     detail: Detail,
 ) -> Result<Found> {
-    let near = descended(record, accelerations, start, Detail::Compressed)?;
+    let near = descended(record, compressed, accelerations, start)?;
     if detail == Detail::Compressed {
         return Ok(near);
     }
-    let found = descended(record, accelerations, &near.motion, detail)?;
+    let every = PairCosts::new(record, start.degree(), detail);
+    let found = descended(record, &every, accelerations, &near.motion)?;
     Ok(Found { iterations: near.iterations + found.iterations, ..found })
 }
 
 fn descended(
     record: &DistanceRecord,
+    pairs: &PairCosts,
     accelerations: Option<&AccelerationCost>,
     start: &RelativeKinematics,
-    detail: Detail,
 ) -> Result<Found> {
     let (nodes, dimension, scale) = (record.nodes(), record.dimension(), record.time_scale());
-    let pairs = PairCosts::new(record, start.degree(), detail);
     let from = stacked_powers(&scale.scale(&start.centred()));
     let Minimum { unknowns, cost, iterations } = with_dimension!(dimension, D => {
         minimum(&Objective::<D> { nodes, pairs, accelerations }, from)
     })?;
-    let motion = scale.unscale(&from_stacked_powers(dimension, nodes, unknowns.as_slice())).centred();
+    let motion = scale.unscale(&from_stacked_powers(dimension, nodes, unknowns.as_slice()))?.centred();
     Ok(Found { motion, cost: 2.0 * cost, iterations })
 }

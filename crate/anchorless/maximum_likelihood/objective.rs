@@ -13,7 +13,7 @@ use crate::model::kinematics::gauge_directions::{add_translations, add_turns, tu
 /// Half the sum of the squares of all residuals, each over its standard deviation.
 pub struct Objective<'a, const D: usize> {
     pub nodes: usize,
-    pub pairs: PairCosts,
+    pub pairs: &'a PairCosts,
     pub accelerations: Option<&'a AccelerationCost>,
 }
 

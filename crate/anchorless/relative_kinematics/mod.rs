@@ -15,6 +15,7 @@ use super::gram_fit::GramFit;
 use super::multidimensional_scaling::{Scaling, classical_scaling};
 use super::polynomial_fit::{PolynomialFit, powers_of};
 use crate::error::{Error, Result};
+use crate::math::factorial::factorial;
 use crate::model::kinematics::coefficients::{RelativeKinematics, centred_columns};
 use crate::model::kinematics::distance_record::DistanceRecord;
 use crate::model::kinematics::estimate::KinematicsEstimate;
@@ -83,7 +84,7 @@ pub fn algorithm_1(record: &DistanceRecord, degree: usize, solver: Solver) -> Re
     ]);
     Ok(KinematicsEstimate {
         kinematics: Some(in_seconds(record, scaled)?),
-        gram: fit.powers(),
+        gram: fit.powers()?,
         rotation: Some(found.rotation),
         acceleration_margin: Some(accelerations.margin()),
         cost: found.cost,
@@ -116,15 +117,15 @@ pub fn algorithm_2(record: &DistanceRecord, degree: usize, solver: Solver) -> Re
     let scaling = classical_scaling(&powers[0], record.dimension());
     let positions = spanning(WHAT, scaling, size(record), POSITIONS)?;
     let top = sensed.coefficient(degree);
-    let factorial = (2..=degree).fold(1.0, |product, l| product * l as f64);
-    let sides = Sides::new((&positions.positions, &powers[1]), (top, &(&powers[degree + 1] * factorial)));
+    let sides =
+        Sides::new((&positions.positions, &powers[1]), (top, &(&powers[degree + 1] * factorial(degree))));
     sides.check_span(WHAT)?;
     let found = velocities(&sides, solver)?;
     let mut scaled = Vec::from([positions.positions, found.velocities]);
     scaled.extend(sensed.coefficients()[2..].iter().map(|each| &found.rotation * each));
     Ok(KinematicsEstimate {
         kinematics: Some(in_seconds(record, scaled)?),
-        gram: sums(fit.powers(), record.time_scale().unscale(&sensed).gram()),
+        gram: sums(fit.powers()?, record.time_scale().unscale(&sensed)?.gram()),
         rotation: Some(found.rotation.transpose()),
         cost: found.cost,
         iterations: found.iterations,
@@ -173,7 +174,8 @@ fn size(record: &DistanceRecord) -> f64 {
 
 /// Refuses a Gram matrix with fewer positive eigenvalues than dimensions.
 fn spanning(what: &'static str, scaling: Scaling, size: f64, reason: &'static str) -> Result<Scaling> {
-    let value = scaling.values[scaling.positions.nrows() - 1] / size;
+    // Where all distances are zero, so is everything found from them.
+    let value = if size > 0.0 { scaling.values[scaling.positions.nrows() - 1] / size } else { 0.0 };
     if value > RANK { Ok(scaling) } else { Err(Error::Degenerate { what, value, reason }) }
 }
 
@@ -183,16 +185,7 @@ fn sensed_accelerations(
     record: &DistanceRecord,
     degree: usize,
 ) -> Result<RelativeKinematics> {
-    let Some(accelerometers) = record.accelerometers() else {
-        let reason = "It takes the accelerations of all nodes at each stamp.";
-        return Err(Error::TooFew {
-            what,
-            counted: "accelerometers",
-            found: 0,
-            needed: record.nodes(),
-            reason,
-        });
-    };
+    let accelerometers = record.needed_accelerometers(what)?;
     let (dimension, nodes, scale) = (record.dimension(), record.nodes(), record.time_scale());
     let stamps: Vec<f64> = record.stamps().iter().map(|&time| scale.scaled(time)).collect();
     let fit = PolynomialFit::new(what, &stamps, degree - 2)?;
@@ -223,5 +216,5 @@ fn sums(mut one: Vec<DMatrix<f64>>, other: Vec<DMatrix<f64>>) -> Vec<DMatrix<f64
 
 fn in_seconds(record: &DistanceRecord, scaled: Vec<DMatrix<f64>>) -> Result<RelativeKinematics> {
     let scaled = RelativeKinematics::new(scaled)?;
-    Ok(record.time_scale().unscale(&scaled).centred())
+    Ok(record.time_scale().unscale(&scaled)?.centred())
 }

@@ -1,77 +1,100 @@
 //! What is compared: a derivative of the motion at an instant, centred, after an alignment.
 
-use alloc::vec::Vec;
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
-use nalgebra::{DMatrix, DVector};
-
-use super::WHAT;
+use super::{KinematicsBound, WHAT};
 use crate::error::{Error, Result};
 use crate::math::definite::definite_factor;
-use crate::model::kinematics::coefficients::{RelativeKinematics, centred_columns};
+use crate::model::kinematics::coefficients::centred_columns;
 use crate::model::kinematics::gauge_directions::turn_fields;
-use crate::model::kinematics::time_scale::TimeScale;
 use crate::with_dimension;
 
-/// A derivative of the motion at an instant: its value, and how it follows from the unknowns.
+/// A derivative of the motion at an instant: its value, and how its error follows from the noise.
 pub struct ReadOut {
     dimension: usize,
     /// D N numbers, node by node.
     value: DVector<f64>,
-    /// (D N) x unknowns, with the mean over the nodes taken away.
-    linear: DMatrix<f64>,
+    /// (D N) x unknowns, by independent normal numbers of variance 1.
+    noise: DMatrix<f64>,
 }
 
 impl ReadOut {
-    /// How it follows from the unknowns.
-    pub fn into_linear(self) -> DMatrix<f64> {
-        self.linear
-    }
-}
-
-/// Weights of the coefficients of powers of scaled time in a derivative by time (s) at an instant.
-fn weights(scale: &TimeScale, degree: usize, derivative: usize, time: f64) -> Vec<f64> {
-    let s = scale.scaled(time);
-    let of_power = |power: usize| {
-        if power < derivative {
-            return 0.0;
+    /// The derivative of some order at an instant (s); its value is exact, for the motion is known.
+    pub fn new(bound: &KinematicsBound, derivative: usize, time: f64) -> Self {
+        let KinematicsBound { motion, scale, root } = bound;
+        let (dimension, block) = (motion.dimension(), motion.coefficient(0).len());
+        let s = scale.scaled(time);
+        let mut noise = DMatrix::zeros(block, root.ncols());
+        for power in derivative..=motion.degree() {
+            // d^r s^p/dt^r = p (p - 1) ... (p - r + 1) s^(p - r)/half^r.
+            let falling = (0..derivative).fold(1.0, |product, i| product * (power - i) as f64 / scale.half);
+            let weight = (derivative..power).fold(falling, |product, _| product * s);
+            for (mut sum, column) in noise.column_iter_mut().zip(root.column_iter()) {
+                let part = &column.as_slice()[power * block..(power + 1) * block];
+                add(sum.as_mut_slice(), weight, part);
+            }
         }
-        // d^r s^p/dt^r = p (p - 1) ... (p - r + 1) s^(p - r)/half^r.
-        let falling = (0..derivative).fold(1.0, |product, i| product * (power - i) as f64 / scale.half);
-        (derivative..power).fold(falling, |product, _| product * s)
-    };
-    (0..=degree).map(of_power).collect()
-}
-
-/// The derivative of some order at an instant (s); its value is exact, for the motion is known.
-pub fn read_out(motion: &RelativeKinematics, scale: &TimeScale, derivative: usize, time: f64) -> ReadOut {
-    let (dimension, nodes) = (motion.dimension(), motion.nodes());
-    let block = dimension * nodes;
-    let centring = DMatrix::from_fn(block, block, |i, j| {
-        let mean = if i % dimension == j % dimension { 1.0 / nodes as f64 } else { 0.0 };
-        if i == j { 1.0 - mean } else { -mean }
-    });
-    let mut linear = DMatrix::zeros(block, block * (motion.degree() + 1));
-    for (l, weight) in weights(scale, motion.degree(), derivative, time).into_iter().enumerate() {
-        linear.view_mut((0, l * block), (block, block)).copy_from(&(&centring * weight));
+        let value =
+            DVector::from_column_slice(centred_columns(&motion.derivative(derivative, time)).as_slice());
+        Self { dimension, value, noise }
     }
-    let value = DVector::from_column_slice(centred_columns(&motion.derivative(derivative, time)).as_slice());
-    ReadOut { dimension, value, linear }
+
+    /// How its error follows from the noise.
+    pub fn into_noise(self) -> DMatrix<f64> {
+        self.noise
+    }
+
+    /// This and `factor` times another.
+    pub fn plus(self, factor: f64, other: &Self) -> Self {
+        let Self { dimension, value, noise } = self;
+        Self { dimension, value: value + &other.value * factor, noise: noise + &other.noise * factor }
+    }
+
+    /// How the turn follows from the noise that aligns it: angles of `Omega` skew with the least `||e + Omega x||`, the first
+    /// order of Procrustes' rotation.
+    ///
+    /// # Errors
+    /// [`Error::Degenerate`] where a turn leaves it as it is.
+    pub fn angles(&self) -> Result<DMatrix<f64>> {
+        let turns = self.turns()?;
+        Ok(turned_squares(&turns)?.solve(&turns.tr_mul(&self.noise)))
+    }
+
+    /// How its error follows from the noise after the turn by [`ReadOut::angles`] of a reference, `e + Omega x`.
+    ///
+    /// # Errors
+    /// [`Error::Number`] for a dimension other than 2 or 3.
+    pub fn turned(&self, angles: &DMatrix<f64>) -> Result<DMatrix<f64>> {
+        let (turns, mut turned) = (self.turns()?, self.noise.clone());
+        for (mut column, angles) in turned.column_iter_mut().zip(angles.column_iter()) {
+            for (turn, &angle) in turns.column_iter().zip(angles.as_slice()) {
+                add(column.as_mut_slice(), -angle, turn.as_slice());
+            }
+        }
+        Ok(turned)
+    }
+
+    /// What small turns change, a column for each plane.
+    fn turns(&self) -> Result<DMatrix<f64>> {
+        let fields =
+            with_dimension!(self.dimension, D => Ok::<_, Error>(turn_fields::<D>(self.value.as_slice())))?;
+        Ok(DMatrix::from_columns(&fields))
+    }
 }
 
-/// How errors of a read-out follow from those of the unknowns once a reference is aligned: `e + Omega x`, `Omega` skew with
-/// the least `||e_reference + Omega x_reference||`, the first order of Procrustes' rotation.
+/// `T^T T` of what small turns change, factored.
 ///
 /// # Errors
-/// [`Error::Degenerate`] where a turn leaves the reference as it is.
-pub fn aligned(read: &ReadOut, reference: &ReadOut) -> Result<DMatrix<f64>> {
-    let fields = |read: &ReadOut| with_dimension!(read.dimension, D => Ok::<_, Error>(turn_fields::<D>(read.value.as_slice())));
-    let (turned, of_reference) =
-        (DMatrix::from_columns(&fields(read)?), DMatrix::from_columns(&fields(reference)?));
-    let factor = definite_factor(&of_reference.tr_mul(&of_reference)).map_err(|value| {
+/// [`Error::Degenerate`] where a turn changes nothing.
+pub fn turned_squares(turns: &DMatrix<f64>) -> Result<Cholesky<f64, Dyn>> {
+    definite_factor(&turns.tr_mul(turns)).map_err(|value| {
         let reason =
             "The positions that are aligned lie on a line or in a point, and a turn leaves them as they are.";
         Error::Degenerate { what: WHAT, value, reason }
-    })?;
-    let angles = factor.solve(&of_reference.tr_mul(&reference.linear));
-    Ok(&read.linear - turned * angles)
+    })
+}
+
+/// Adds `factor` times other numbers. As slices: these loops are what a bound over time takes its time for.
+fn add(to: &mut [f64], factor: f64, numbers: &[f64]) {
+    to.iter_mut().zip(numbers).for_each(|(to, number)| *to += factor * number);
 }

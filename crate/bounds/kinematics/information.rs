@@ -1,8 +1,9 @@
 //! Fisher information about all coefficients of the motion.
 
+use alloc::vec;
 use alloc::vec::Vec;
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, SMatrix, SVector};
 
 use super::WHAT;
 use super::design::KinematicsDesign;
@@ -10,7 +11,9 @@ use crate::error::{Error, Result};
 use crate::math::float::sqrt;
 use crate::model::kinematics::coefficients::RelativeKinematics;
 use crate::model::kinematics::distance_record::pairs;
+use crate::model::kinematics::stamps::{LEAST_SPREAD, earliest_and_latest};
 use crate::model::kinematics::time_scale::TimeScale;
+use crate::with_dimension;
 
 /// About the coefficients of powers of scaled time, stacked coefficient by coefficient, node by node.
 ///
@@ -18,7 +21,13 @@ use crate::model::kinematics::time_scale::TimeScale;
 /// `Q` leaves with the alignment, which removes it.
 pub fn information(motion: &RelativeKinematics, design: &KinematicsDesign) -> Result<DMatrix<f64>> {
     positive("the standard deviation of a distance", design.sigma_distance)?;
-    let mut information = of_distances(motion, design)?;
+    let [first, last] = earliest_and_latest(&design.stamps);
+    let value = last - first;
+    if value > 0.0 && value < LEAST_SPREAD {
+        let (what, limit) = ("the time between the first stamp and the last, s,", "0 or at least 1e-6");
+        return Err(Error::Number { what, value, limit });
+    }
+    let mut information = with_dimension!(motion.dimension(), D => of_distances::<D>(motion, design))?;
     if let Some(sigma) = design.sigma_acceleration {
         positive("the standard deviation of an acceleration", sigma)?;
         if motion.degree() < 2 {
@@ -35,21 +44,24 @@ fn positive(what: &'static str, value: f64) -> Result<()> {
 }
 
 /// Along the line between two nodes, `u u^T/sigma^2` for each pair and stamp, times the powers `l + m` of time.
-fn of_distances(motion: &RelativeKinematics, design: &KinematicsDesign) -> Result<DMatrix<f64>> {
-    let (dimension, nodes, terms) = (motion.dimension(), motion.nodes(), motion.degree() + 1);
-    let block = dimension * nodes;
+fn of_distances<const D: usize>(
+    motion: &RelativeKinematics,
+    design: &KinematicsDesign,
+) -> Result<DMatrix<f64>> {
+    let (nodes, terms) = (motion.nodes(), motion.degree() + 1);
+    let block = D * nodes;
     let weight = design.present / (design.sigma_distance * design.sigma_distance);
     let scale = TimeScale::of(&design.stamps);
     let points: Vec<DMatrix<f64>> = design.stamps.iter().map(|&time| motion.positions(time)).collect();
     let mut information = DMatrix::zeros(terms * block, terms * block);
+    let mut moments = vec![SMatrix::<f64, D, D>::zeros(); 2 * terms - 1];
     for (a, b) in pairs(nodes) {
-        let mut moments: Vec<DMatrix<f64>> =
-            (0..2 * terms - 1).map(|_| DMatrix::zeros(dimension, dimension)).collect();
+        moments.fill(SMatrix::zeros());
         for (positions, &time) in points.iter().zip(&design.stamps) {
-            let line = positions.column(a) - positions.column(b);
+            let line = positions.fixed_view::<D, 1>(0, a) - positions.fixed_view::<D, 1>(0, b);
             let mut along = outer(&line)? * weight;
             for moment in &mut moments {
-                *moment += &along;
+                *moment += along;
                 along *= scale.scaled(time);
             }
         }
@@ -57,9 +69,9 @@ fn of_distances(motion: &RelativeKinematics, design: &KinematicsDesign) -> Resul
             for m in 0..terms {
                 let (l_first, m_first) = (l * block, m * block);
                 for (row, column, sign) in [(a, a, 1.0), (b, b, 1.0), (a, b, -1.0), (b, a, -1.0)] {
-                    let at = (l_first + row * dimension, m_first + column * dimension);
-                    let mut view = information.view_mut(at, (dimension, dimension));
-                    view += &moments[l + m] * sign;
+                    let at = (l_first + row * D, m_first + column * D);
+                    let mut view = information.fixed_view_mut::<D, D>(at.0, at.1);
+                    view += moments[l + m] * sign;
                 }
             }
         }
@@ -67,7 +79,7 @@ fn of_distances(motion: &RelativeKinematics, design: &KinematicsDesign) -> Resul
     Ok(information)
 }
 
-fn outer(line: &DVector<f64>) -> Result<DMatrix<f64>> {
+fn outer<const D: usize>(line: &SVector<f64, D>) -> Result<SMatrix<f64, D, D>> {
     let squared = line.norm_squared();
     if squared > 0.0 {
         return Ok(line * line.transpose() / squared);

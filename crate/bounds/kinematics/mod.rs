@@ -13,8 +13,11 @@ mod alignment;
 mod design;
 mod gram;
 mod information;
+mod over_time;
 
 pub use design::KinematicsDesign;
+
+use alloc::vec::Vec;
 
 use nalgebra::DMatrix;
 
@@ -26,7 +29,8 @@ use crate::model::kinematics::gauge_directions::{add_translations, add_turns, tu
 use crate::model::kinematics::stacked::stacked_powers;
 use crate::model::kinematics::time_scale::TimeScale;
 use crate::with_dimension;
-use alignment::{aligned, read_out};
+use alignment::ReadOut;
+use over_time::OverTime;
 
 /// What is being computed, for errors.
 const WHAT: &str = "the Cramér-Rao bound of relative kinematics";
@@ -45,16 +49,17 @@ pub enum Alignment {
 pub struct KinematicsBound {
     motion: RelativeKinematics,
     scale: TimeScale,
-    /// A generalized inverse of the information about the coefficients of powers of scaled time, stacked.
-    inverse: DMatrix<f64>,
+    /// How errors of the centred coefficients of powers of scaled time, stacked, follow from independent normal numbers of
+    /// variance 1: times its transpose it is a generalized inverse of the information about them.
+    root: DMatrix<f64>,
 }
 
 impl KinematicsBound {
     /// From distances alone, or with accelerometers in one unknown proper frame, as the design says.
     ///
     /// # Errors
-    /// [`Error::Number`] where a standard deviation is not positive, or accelerations of a motion of degree below 2 are
-    /// given; [`Error::Degenerate`] where two nodes meet at a stamp, or the motion is not determined to first order.
+    /// [`Error::Number`] where a standard deviation is not positive, all stamps lie within 1e-6 s and are not one, or
+    /// accelerations of a motion of degree below 2 are given; [`Error::Degenerate`] where two nodes meet at a stamp, or the motion is not determined to first order.
     ///
     /// ```
     /// use rangelab::bounds::kinematics::{KinematicsBound, KinematicsDesign};
@@ -75,7 +80,16 @@ impl KinematicsBound {
         }
         add_translations(&mut information, motion.dimension(), motion.nodes());
         let factor = definite_factor(&information).map_err(undetermined)?;
-        Ok(Self { motion, scale, inverse: factor.inverse() })
+        let mut root = DMatrix::identity(information.nrows(), information.nrows());
+        let solved = factor.l_dirty().tr_solve_lower_triangular_mut(&mut root);
+        debug_assert!(solved, "its pivots were checked");
+        centre(&mut root, motion.dimension(), motion.nodes());
+        Ok(Self { motion, scale, root })
+    }
+
+    /// The motion at which it is, centred.
+    pub fn motion(&self) -> &RelativeKinematics {
+        &self.motion
     }
 
     /// Covariance of `Y_l` after one alignment at time 0, (D N) x (D N), node by node.
@@ -83,12 +97,7 @@ impl KinematicsBound {
     /// # Errors
     /// [`Error::Degenerate`] where the positions at time 0 do not fix a frame, [`Error::Size`] for l above L.
     pub fn coefficient_covariance(&self, l: usize) -> Result<DMatrix<f64>> {
-        if l > self.motion.degree() {
-            let what = "coefficients of the motion up to the one asked for";
-            return Err(Error::Size { what, found: self.motion.degree() + 1, expected: l + 1 });
-        }
-        let field = |derivative: usize| read_out(&self.motion, &self.scale, derivative, 0.0);
-        Ok(self.covariance(&aligned(&field(l), &field(0))?))
+        Ok(covariance(&self.coefficient_noise(l)?))
     }
 
     /// Root mean square over the coordinates of `Y_l` after one alignment at time 0, m/s^l.
@@ -96,7 +105,18 @@ impl KinematicsBound {
     /// # Errors
     /// As [`KinematicsBound::coefficient_covariance`].
     pub fn coefficient_rmse(&self, l: usize) -> Result<f64> {
-        Ok(root_mean(&self.coefficient_covariance(l)?))
+        Ok(root_mean(&self.coefficient_noise(l)?))
+    }
+
+    /// Covariance of `Y_0 + factor Y_l`, the tips of arrows drawn from the nodes, after one alignment at time 0, (D N) x (D N),
+    /// node by node; `factor` in s^l.
+    ///
+    /// # Errors
+    /// As [`KinematicsBound::coefficient_covariance`].
+    pub fn tip_covariance(&self, l: usize, factor: f64) -> Result<DMatrix<f64>> {
+        let positions = ReadOut::new(self, 0, 0.0);
+        let angles = positions.angles()?;
+        Ok(covariance(&positions.plus(factor, &self.coefficient(l)?).turned(&angles)?))
     }
 
     /// Covariance of the positions at a time (s), (D N) x (D N), node by node.
@@ -104,9 +124,7 @@ impl KinematicsBound {
     /// # Errors
     /// [`Error::Degenerate`] where the positions that are aligned do not fix a frame.
     pub fn position_covariance(&self, time: f64, alignment: Alignment) -> Result<DMatrix<f64>> {
-        let positions = |time: f64| read_out(&self.motion, &self.scale, 0, time);
-        let reference = positions(if alignment == Alignment::AtZero { 0.0 } else { time });
-        Ok(self.covariance(&aligned(&positions(time), &reference)?))
+        Ok(covariance(&self.position_noise(time, alignment)?))
     }
 
     /// Root mean square over the coordinates of the positions at a time (s), m.
@@ -114,36 +132,76 @@ impl KinematicsBound {
     /// # Errors
     /// As [`KinematicsBound::position_covariance`].
     pub fn position_rmse(&self, time: f64, alignment: Alignment) -> Result<f64> {
-        Ok(root_mean(&self.position_covariance(time, alignment)?))
+        Ok(root_mean(&self.position_noise(time, alignment)?))
+    }
+
+    /// [`KinematicsBound::position_rmse`] at some times (s), with both alignments: after the one at time 0, and after one at
+    /// each time.
+    ///
+    /// # Errors
+    /// As [`KinematicsBound::position_covariance`].
+    pub fn position_rmses(&self, times: &[f64]) -> Result<[Vec<f64>; 2]> {
+        let over_time = OverTime::new(self)?;
+        let mut rmses = [Vec::with_capacity(times.len()), Vec::with_capacity(times.len())];
+        for &time in times {
+            let (at_zero, at_each) = over_time.rmses(time)?;
+            rmses[0].push(at_zero);
+            rmses[1].push(at_each.map_or_else(|| self.position_rmse(time, Alignment::AtEach), Ok)?);
+        }
+        Ok(rmses)
     }
 
     /// Root mean square over the entries of `vech(B_l)`, `G(t) = sum_l B_l t^l`, m^2/s^l (\[A\] Fig. 1); Gram matrices need no
     /// alignment.
     ///
     /// # Errors
-    /// [`Error::Degenerate`] where the positions at time 0 do not fix a frame; [`Error::Size`] for l above 2L.
+    /// [`Error::Size`] for l above 2L.
     pub fn gram_rmse(&self, l: usize) -> Result<f64> {
-        let found = 2 * self.motion.degree() + 1;
-        if l >= found {
-            return Err(Error::Size {
-                what: "coefficients of the Gram matrix up to the one asked for",
-                found,
-                expected: l + 1,
-            });
-        }
-        let jacobian = gram::gram_jacobian(&self.motion, &self.scale, l);
-        let image = &jacobian * &self.inverse;
-        let variance = image.component_mul(&jacobian).sum();
-        Ok(sqrt(variance / jacobian.nrows() as f64))
+        up_to("coefficients of the Gram matrix up to the one asked for", 2 * self.motion.degree(), l)?;
+        Ok(root_mean(&gram::gram_noise(self, l)))
     }
 
-    fn covariance(&self, read_out: &DMatrix<f64>) -> DMatrix<f64> {
-        read_out * &self.inverse * read_out.transpose()
+    fn coefficient(&self, l: usize) -> Result<ReadOut> {
+        up_to("coefficients of the motion up to the one asked for", self.motion.degree(), l)?;
+        Ok(ReadOut::new(self, l, 0.0))
+    }
+
+    fn coefficient_noise(&self, l: usize) -> Result<DMatrix<f64>> {
+        self.coefficient(l)?.turned(&ReadOut::new(self, 0, 0.0).angles()?)
+    }
+
+    fn position_noise(&self, time: f64, alignment: Alignment) -> Result<DMatrix<f64>> {
+        let reference = if alignment == Alignment::AtZero { 0.0 } else { time };
+        ReadOut::new(self, 0, time).turned(&ReadOut::new(self, 0, reference).angles()?)
     }
 }
 
-fn root_mean(covariance: &DMatrix<f64>) -> f64 {
-    sqrt(covariance.trace() / covariance.nrows() as f64)
+/// Refuses a coefficient above the last one.
+fn up_to(what: &'static str, last: usize, l: usize) -> Result<()> {
+    if l > last {
+        return Err(Error::Size { what, found: last + 1, expected: l + 1 });
+    }
+    Ok(())
+}
+
+fn covariance(noise: &DMatrix<f64>) -> DMatrix<f64> {
+    noise * noise.transpose()
+}
+
+fn root_mean(noise: &DMatrix<f64>) -> f64 {
+    sqrt(noise.norm_squared() / noise.nrows() as f64)
+}
+
+/// Takes the mean over the nodes away, of each coordinate of each coefficient.
+fn centre(stacked: &mut DMatrix<f64>, dimension: usize, nodes: usize) {
+    for mut column in stacked.column_iter_mut() {
+        for coefficient in column.as_mut_slice().chunks_exact_mut(dimension * nodes) {
+            for axis in 0..dimension {
+                let mean = coefficient.iter().skip(axis).step_by(dimension).sum::<f64>() / nodes as f64;
+                coefficient.iter_mut().skip(axis).step_by(dimension).for_each(|value| *value -= mean);
+            }
+        }
+    }
 }
 
 fn undetermined(value: f64) -> Error {

@@ -87,8 +87,19 @@ pub(crate) fn read<T: Written>(text: &str) -> Result<T> {
 }
 
 /// Reads a part of a document, which has no version of its own.
-pub(crate) fn parse_part<T: DeserializeOwned>(document: &'static str, text: &str) -> Result<T> {
+fn parse_part<T: DeserializeOwned>(document: &'static str, text: &str) -> Result<T> {
     serde_json::from_str(text).map_err(|error| Error::Syntax { document, message: error.to_string() })
+}
+
+/// Reads a part of a document that stands alone, and refuses it with everything that is wrong.
+pub(crate) fn read_part<T: DeserializeOwned>(
+    kind: &'static str,
+    text: &str,
+    problems: impl Fn(&T) -> Vec<Problem>,
+) -> Result<T> {
+    let part = parse_part(kind, text)?;
+    accept(kind, problems(&part))?;
+    Ok(part)
 }
 
 /// Writes a document; every number comes back as the same bits.

@@ -130,3 +130,10 @@ pub fn centred_columns(matrix: &DMatrix<f64>) -> DMatrix<f64> {
     let mean: DVector<f64> = matrix.column_sum() / matrix.ncols() as f64;
     DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, j| matrix[(i, j)] - mean[i])
 }
+
+/// Squared distance between two columns of a D x N matrix.
+pub fn squared_distance(matrix: &DMatrix<f64>, i: usize, j: usize) -> f64 {
+    // Without a vector of its own: it is asked for at each stamp, for each pair.
+    let square = |(a, b): (&f64, &f64)| (a - b) * (a - b);
+    matrix.column(i).iter().zip(&matrix.column(j)).map(square).sum()
+}

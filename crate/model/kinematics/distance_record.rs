@@ -143,6 +143,16 @@ impl DistanceRecord {
         self.sigma
     }
 
+    /// The accelerations, for an estimator that cannot go without.
+    ///
+    /// # Errors
+    /// [`Error::TooFew`] where there are none.
+    pub fn needed_accelerometers(&self, what: &'static str) -> Result<&Accelerometers> {
+        let reason = "It takes the accelerations of all nodes at each stamp.";
+        let (counted, found, needed) = ("accelerometers", 0, self.nodes);
+        self.accelerometers.as_ref().ok_or(Error::TooFew { what, counted, found, needed, reason })
+    }
+
     /// The accelerations, if there are any.
     pub fn accelerometers(&self) -> Option<&Accelerometers> {
         self.accelerometers.as_ref()

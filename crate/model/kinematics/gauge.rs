@@ -3,13 +3,13 @@
 use nalgebra::DMatrix;
 
 use super::coefficients::RelativeKinematics;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::math::orthogonal::nearest_orthogonal;
 
 /// The `Q` in O(D) with the least `||Q from - to||_F` (orthogonal Procrustes), D x N matrices with centred columns.
 ///
 /// # Errors
-/// [`crate::Error::Number`] for a dimension other than 2 or 3.
+/// [`Error::Number`] for a dimension other than 2 or 3.
 pub fn procrustes(from: &DMatrix<f64>, to: &DMatrix<f64>) -> Result<DMatrix<f64>> {
     nearest_orthogonal(&(to * from.transpose()))
 }
@@ -20,7 +20,8 @@ impl RelativeKinematics {
     /// Aligning each coefficient by itself would hide a wrong rotation of accelerations against positions.
     ///
     /// # Errors
-    /// [`crate::Error::Number`] for a dimension other than 2 or 3.
+    /// [`Error::Size`] where the truth has another number of nodes or coordinates, [`Error::Number`] for a dimension other than
+    /// 2 or 3.
     ///
     /// ```
     /// use nalgebra::dmatrix;
@@ -32,6 +33,14 @@ impl RelativeKinematics {
     /// # Ok::<(), rangelab::Error>(())
     /// ```
     pub fn aligned_to(&self, truth: &Self) -> Result<Self> {
+        for (what, found, expected) in [
+            ("coordinates of a node", self.dimension(), truth.dimension()),
+            ("nodes", self.nodes(), truth.nodes()),
+        ] {
+            if found != expected {
+                return Err(Error::Size { what, found, expected });
+            }
+        }
         let (estimate, truth) = (self.centred(), truth.centred());
         let q = procrustes(estimate.coefficient(0), truth.coefficient(0))?;
         Ok(estimate.rotated(&q))

@@ -49,7 +49,7 @@ pub const KINEMATICS_PRESETS: [KinematicsPreset; 6] = [
         title: "A fifth of the distances missing",
         summary: "Each pair is fitted at the stamps it has, so every estimator of the motion goes on; only scaling of single \
                   epochs ends, for no epoch is complete.",
-        build: || with("kinematics-missing", |scenario| scenario.noise.missing_probability = 0.2),
+        build: missing,
     },
     KinematicsPreset {
         name: "kinematics-four",
@@ -150,6 +150,13 @@ fn with(name: &str, change: fn(&mut KinematicsScenario)) -> KinematicsScenario {
     scenario
 }
 
+fn missing() -> KinematicsScenario {
+    with("kinematics-missing", |scenario| {
+        scenario.noise.missing_probability = 0.2;
+        scenario.estimators.enabled.push(KinematicsName::MultidimensionalScaling);
+    })
+}
+
 fn four() -> KinematicsScenario {
     with("kinematics-four", |scenario| {
         scenario.coefficients.iter_mut().for_each(|points| points.truncate(4));
@@ -169,6 +176,7 @@ fn space() -> KinematicsScenario {
             points.iter_mut().zip(HEIGHTS[l]).for_each(|(point, height)| point.push(height));
         }
         scenario.estimators.enabled = Vec::from([
+            KinematicsName::Algorithm1Rank1,
             KinematicsName::Algorithm1So,
             KinematicsName::Algorithm2So,
             KinematicsName::SnapshotSync,

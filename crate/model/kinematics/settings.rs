@@ -8,8 +8,8 @@ use core::str::FromStr;
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, Problem};
-use crate::model::document::check::{Check, accept};
-use crate::model::document::parse_part;
+use crate::model::document::check::Check;
+use crate::model::document::read_part;
 
 /// Highest degree of a motion.
 pub const MAX_DEGREE: usize = 8;
@@ -196,10 +196,7 @@ impl KinematicsSettings {
     /// # Ok::<(), rangelab::Error>(())
     /// ```
     pub fn from_json(text: &str) -> Result<Self, Error> {
-        let kind = "settings of relative kinematics";
-        let settings: Self = parse_part(kind, text)?;
-        accept(kind, settings.validate())?;
-        Ok(settings)
+        read_part("settings of relative kinematics", text, Self::validate)
     }
 
     /// Every problem: path, value, limit.

@@ -4,6 +4,10 @@ use alloc::vec::Vec;
 
 use serde::{Deserialize, Serialize};
 
+/// The least time (s) between the earliest and the latest stamp, where they are not all one: in a shorter one the powers of time
+/// that divide the coefficients leave what numbers can hold.
+pub const LEAST_SPREAD: f64 = 1e-6;
+
 /// The stamps of a record.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS), ts(export))]
@@ -50,10 +54,10 @@ impl Stamps {
 
     /// The earliest and the latest, s.
     pub(super) fn ends(&self) -> [f64; 2] {
-        let times = self.times();
-        let first = times.iter().copied().fold(f64::INFINITY, f64::min);
-        let last = times.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        [first, last]
+        match self {
+            Self::Regular { first, last, .. } => [*first, *last],
+            Self::Listed { times } => earliest_and_latest(times),
+        }
     }
 
     /// The stamps, s.
@@ -63,6 +67,13 @@ impl Stamps {
             Self::Listed { times } => times.clone(),
         }
     }
+}
+
+/// The ends of some stamps in any order; infinities the wrong way round where there is none.
+pub fn earliest_and_latest(times: &[f64]) -> [f64; 2] {
+    let earliest = times.iter().copied().fold(f64::INFINITY, f64::min);
+    let latest = times.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    [earliest, latest]
 }
 
 /// Instants evenly from the first to the last; one alone stands at the first.

@@ -5,6 +5,11 @@ use alloc::vec::Vec;
 use nalgebra::DMatrix;
 
 use super::coefficients::RelativeKinematics;
+use super::stamps::earliest_and_latest;
+use crate::error::{Error, Result};
+
+/// Coefficients by time stay below it: of a range's the eighth power is taken, for the spread of squared errors of its square.
+const MAX_COEFFICIENT: f64 = 1e37;
 
 /// `s = (t - middle)/half`, which takes the first stamp to -1 and the last to 1.
 ///
@@ -24,8 +29,7 @@ pub struct TimeScale {
 impl TimeScale {
     /// The scale of some stamps, in any order.
     pub fn of(stamps: &[f64]) -> Self {
-        let first = stamps.iter().copied().fold(f64::INFINITY, f64::min);
-        let last = stamps.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let [first, last] = earliest_and_latest(stamps);
         let half = 0.5 * (last - first);
         Self { middle: 0.5 * (first + last), half: if half > 0.0 { half } else { 1.0 } }
     }
@@ -47,9 +51,18 @@ impl TimeScale {
     }
 
     /// The derivatives by time at time 0 of what [`TimeScale::scale`] gave.
-    pub fn unscale(&self, scaled: &RelativeKinematics) -> RelativeKinematics {
+    ///
+    /// # Errors
+    /// [`Error::Degenerate`] where one is above 1e37 or no number.
+    pub fn unscale(&self, scaled: &RelativeKinematics) -> Result<RelativeKinematics> {
         let in_seconds = powers(scaled.coefficients().to_vec(), 1.0 / self.half);
-        RelativeKinematics::from_coefficients(shifted(&in_seconds, -self.middle))
+        let coefficients = shifted(&in_seconds, -self.middle);
+        if coefficients.iter().flatten().all(|value| value.abs() <= MAX_COEFFICIENT) {
+            return Ok(RelativeKinematics::from_coefficients(coefficients));
+        }
+        let reason = "Half of the time between the first stamp and the last is that many seconds: divided by its powers and \
+                      carried to time 0, what was measured grows beyond all numbers.";
+        Err(Error::Degenerate { what: "the polynomial of time", value: self.half, reason })
     }
 }
 

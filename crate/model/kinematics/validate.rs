@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use super::KinematicsScenario;
 use super::distance_record::pair_count;
 use super::settings::MAX_DEGREE;
-use super::stamps::Stamps;
+use super::stamps::{LEAST_SPREAD, Stamps};
 use crate::error::Problem;
 use crate::model::document::check::{Check, Limit, MAX_RANGES, MAX_STEPS, Readable};
 
@@ -82,6 +82,14 @@ fn stamps(check: &mut Check, stamps: &Stamps) {
                 time(check, &format_args!("stamps.times[{k}]"), value);
             }
         }
+    }
+    let [first, last] = stamps.ends();
+    let spread = last - first;
+    if spread > 0.0 && spread < LEAST_SPREAD {
+        let limit = format_args!(
+            "at least {LEAST_SPREAD:e} s, or 0 for stamps at one time: in a shorter one no motion is told from rounding"
+        );
+        check.problem("stamps", format_args!("{} s from the first to the last", Readable(spread)), limit);
     }
 }
 

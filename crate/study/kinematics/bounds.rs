@@ -31,65 +31,85 @@ pub struct KinematicsBoundReport {
     pub aligned_positions: Vec<f64>,
 }
 
+/// The bounds of a scenario, from distances alone and with accelerations, each where there is one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KinematicsBounds([Result<KinematicsBound>; 2]);
+
+impl KinematicsBounds {
+    /// Those at the true motion of a yardstick.
+    pub fn new(scenario: &KinematicsScenario, setup: &KinematicsSetup, yardstick: &Yardstick) -> Self {
+        let (stamps, noise) = (&setup.stamps, &scenario.noise);
+        let designs = [
+            KinematicsDesign::distances(stamps, noise),
+            KinematicsDesign::with_accelerometers(stamps, noise),
+        ];
+        Self(designs.map(|design| KinematicsBound::new(yardstick.motion(), &design)))
+    }
+
+    /// What they are at the instants of the yardstick.
+    pub fn reports(&self, yardstick: &Yardstick) -> [KinematicsBoundReport; 2] {
+        [0, 1].map(|index| {
+            let found = self.0[index].clone().and_then(|bound| report(&bound, yardstick));
+            let (found, failure) = match found {
+                Ok(found) => (found, None),
+                Err(error) => (KinematicsBoundReport::default(), Some(error.to_string())),
+            };
+            let label = ["CRB, distances", "CRB, distances and accelerations"][index].to_string();
+            KinematicsBoundReport { label, accelerations: index == 1, failure, ..found }
+        })
+    }
+
+    /// The covariance of a quantity of each node after one alignment from `Y_0`, m^2: D x D, node by node.
+    ///
+    /// # Errors
+    /// Why there is no bound; [`crate::Error::Size`] where the motion has no such coefficient.
+    pub fn node_covariances(&self, accelerations: bool, quantity: NodeQuantity) -> Result<Vec<DMatrix<f64>>> {
+        let bound = self.0[usize::from(accelerations)].as_ref().map_err(Clone::clone)?;
+        let covariance = match quantity {
+            NodeQuantity::Position(time) => bound.position_covariance(time, Alignment::AtZero)?,
+            NodeQuantity::Tip { coefficient, factor } => bound.tip_covariance(coefficient, factor)?,
+        };
+        let dimension = bound.motion().dimension();
+        let of_node = |node: usize| {
+            let at = node * dimension;
+            covariance.view((at, at), (dimension, dimension)).into_owned()
+        };
+        Ok((0..bound.motion().nodes()).map(of_node).collect())
+    }
+}
+
 /// From distances alone, and with accelerations.
 pub fn kinematics_bounds(
     scenario: &KinematicsScenario,
     setup: &KinematicsSetup,
     yardstick: &Yardstick,
 ) -> [KinematicsBoundReport; 2] {
-    let (stamps, noise) = (&setup.stamps, &scenario.noise);
-    [
-        ("CRB, distances", KinematicsDesign::distances(stamps, noise)),
-        ("CRB, distances and accelerations", KinematicsDesign::with_accelerometers(stamps, noise)),
-    ]
-    .map(|(label, design)| {
-        let (found, failure) = match bound(&design, yardstick) {
-            Ok(found) => (found, None),
-            Err(error) => (KinematicsBoundReport::default(), Some(error.to_string())),
-        };
-        let accelerations = design.sigma_acceleration.is_some();
-        KinematicsBoundReport { label: label.to_string(), accelerations, failure, ..found }
-    })
+    KinematicsBounds::new(scenario, setup, yardstick).reports(yardstick)
 }
 
-fn bound(design: &KinematicsDesign, yardstick: &Yardstick) -> Result<KinematicsBoundReport> {
-    let motion = yardstick.motion();
-    let bound = KinematicsBound::new(motion, design)?;
-    let positions = |alignment| -> Result<Vec<f64>> {
-        yardstick.instants.iter().map(|&time| bound.position_rmse(time, alignment)).collect()
-    };
+fn report(bound: &KinematicsBound, yardstick: &Yardstick) -> Result<KinematicsBoundReport> {
+    let motion = bound.motion();
+    let [positions, aligned_positions] = bound.position_rmses(&yardstick.instants)?;
     let gram = GRAM_COEFFICIENTS.min(2 * motion.degree() + 1);
     Ok(KinematicsBoundReport {
         coefficients: (0..=motion.degree()).map(|l| bound.coefficient_rmse(l)).collect::<Result<_>>()?,
         gram: (0..gram).map(|l| bound.gram_rmse(l)).collect::<Result<_>>()?,
-        positions: positions(Alignment::AtZero)?,
-        aligned_positions: positions(Alignment::AtEach)?,
+        positions,
+        aligned_positions,
         ..KinematicsBoundReport::default()
     })
 }
 
-/// The bound on the covariance of the position of each node at a time (s), after one alignment from `Y_0`, m^2: D x D, node by
-/// node.
-///
-/// # Errors
-/// When the scenario is not valid or has no bound.
-pub fn node_covariances(
-    scenario: &KinematicsScenario,
-    accelerations: bool,
-    time: f64,
-) -> Result<Vec<DMatrix<f64>>> {
-    let setup = scenario.setup()?;
-    let motion = Yardstick::new(scenario, &setup).motion().clone();
-    let design = if accelerations {
-        KinematicsDesign::with_accelerometers(&setup.stamps, &scenario.noise)
-    } else {
-        KinematicsDesign::distances(&setup.stamps, &scenario.noise)
-    };
-    let covariance = KinematicsBound::new(&motion, &design)?.position_covariance(time, Alignment::AtZero)?;
-    let dimension = motion.dimension();
-    let of_node = |node: usize| {
-        let at = node * dimension;
-        covariance.view((at, at), (dimension, dimension)).into_owned()
-    };
-    Ok((0..motion.nodes()).map(of_node).collect())
+/// Of what a node's uncertainty is asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum NodeQuantity {
+    /// Its position at a time, s.
+    Position(f64),
+    /// The tip of an arrow from its position at time 0: `Y_0 + factor Y_l`, the factor in s^l.
+    Tip {
+        /// l.
+        coefficient: usize,
+        /// How long the arrow is drawn.
+        factor: f64,
+    },
 }

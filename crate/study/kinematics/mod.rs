@@ -2,6 +2,7 @@
 
 pub mod block;
 pub mod bounds;
+pub mod deviations;
 pub mod errors;
 pub mod monte_carlo;
 pub mod report;

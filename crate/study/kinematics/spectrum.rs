@@ -10,6 +10,7 @@ use crate::anchorless::distance_matrix::gram_matrix;
 use crate::anchorless::gram_fit::GramFit;
 use crate::anchorless::multidimensional_scaling::classical_scaling;
 use crate::error::Result;
+use crate::math::factorial::factorial;
 use crate::model::kinematics::KinematicsScenario;
 use crate::model::kinematics::coefficients::RelativeKinematics;
 use crate::model::kinematics::distance_record::DistanceRecord;
@@ -51,9 +52,8 @@ pub fn gram_spectrum(scenario: &KinematicsScenario, trial: u64) -> Result<GramSp
     let yardstick = Yardstick::new(scenario, &setup);
     let (motion, degree) = (yardstick.motion(), scenario.estimators.degree);
     // Where a pair has too few stamps there is no fit; the others stand.
-    let powers = GramFit::new(&record, 2 * degree).map(|fit| fit.powers()).unwrap_or_default();
-    let factorial = (2..=degree).fold(1.0, |product, l| product * l as f64);
-    let top = powers.last().map(|power| power * (factorial * factorial));
+    let powers = GramFit::new(&record, 2 * degree).and_then(|fit| fit.powers()).unwrap_or_default();
+    let top = powers.last().map(|power| power * (factorial(degree) * factorial(degree)));
     Ok(GramSpectrum {
         epoch: nearest_epoch(&record),
         fitted: powers.first().map(values).unwrap_or_default(),

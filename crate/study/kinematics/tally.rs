@@ -96,10 +96,7 @@ impl KinematicsTally {
     }
 }
 
-/// Root mean squares; none where nothing was counted.
+/// Root mean squares up to where nothing was counted: a motion of degree 0 gives no `B_1`, and none of its errors is zero.
 fn roots(moments: &[Moments]) -> Vec<Estimate> {
-    if moments.iter().all(|moments| moments.count() == 0) {
-        return Vec::new();
-    }
-    moments.iter().map(Moments::root_mean).collect()
+    moments.iter().take_while(|moments| moments.count() > 0).map(Moments::root_mean).collect()
 }

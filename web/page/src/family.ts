@@ -18,6 +18,8 @@ export interface Room {
   /** Where the body starts, and the points of it that are ranged, in its own frame. */
   readonly start: readonly number[];
   readonly body: readonly (readonly number[])[];
+  /** Where the body is no rigid one: all that a view of it shows, as places in the room. */
+  readonly extent?: readonly (readonly number[])[];
 }
 
 /**

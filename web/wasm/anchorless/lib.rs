@@ -13,7 +13,7 @@ use rangelab::study::kinematics::spectrum::gram_spectrum;
 use rangelab_wasm_shared::{complaints, json};
 use wasm_bindgen::prelude::*;
 
-pub use bounds::{anchorless_bounds, anchorless_covariances};
+pub use bounds::{AnchorlessBounds, anchorless_bounds};
 pub use run::AnchorlessTrial;
 pub use study::{AnchorlessSum, anchorless_block, anchorless_trials_per_block};
 

@@ -1,9 +1,9 @@
 //! A run as typed arrays for drawing and plotting.
 
-use nalgebra::DMatrix;
 use rangelab::Result;
 use rangelab::model::kinematics::coefficients::RelativeKinematics;
-use rangelab::model::kinematics::run::{KinematicsEstimatorRun, KinematicsRun, Points};
+use rangelab::model::kinematics::run::{KinematicsEstimatorRun, KinematicsRun};
+use rangelab::study::kinematics::deviations::KinematicsDeviations;
 use rangelab_wasm_shared::json;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -13,9 +13,7 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen]
 pub struct AnchorlessTrial {
     run: KinematicsRun,
-    truth: RelativeKinematics,
-    /// Of each estimator, less the truth; `None` where it finds no motion.
-    errors: Vec<Option<RelativeKinematics>>,
+    deviations: KinematicsDeviations,
 }
 
 /// What the page reads of an estimator beside its arrays.
@@ -63,31 +61,31 @@ impl AnchorlessTrial {
 
     /// The true positions, centred, m: K x N x D.
     pub fn truth(&self) -> Vec<f64> {
-        self.over_time(&self.truth)
+        self.over_time(&self.deviations.truth)
     }
 
     /// The positions that an estimator found less the truth, after its one alignment at time 0, m: K x N x D; empty where it
     /// finds no motion.
     pub fn errors(&self, estimator: usize) -> Vec<f64> {
-        self.errors[estimator].as_ref().map(|errors| self.over_time(errors)).unwrap_or_default()
+        self.motion(estimator).map(|errors| self.over_time(errors)).unwrap_or_default()
     }
 
     /// `Y_l` as an estimator found it less the truth, after its one alignment, m/s^l: N x D; empty where there is none.
     pub fn coefficient_error(&self, estimator: usize, l: usize) -> Vec<f64> {
-        let errors = self.errors[estimator].as_ref().and_then(|errors| errors.coefficients().get(l));
-        errors.map(|error| error.iter().copied().collect()).unwrap_or_default()
+        let error = self.motion(estimator).and_then(|errors| errors.coefficients().get(l));
+        error.map(|error| error.iter().copied().collect()).unwrap_or_default()
     }
 
     /// What an estimator of one epoch at a time found less the truth, each aligned by itself: stamps x N x D, NaN where a
     /// distance is missing; empty for others.
     pub fn snapshot_errors(&self, estimator: usize) -> Vec<f64> {
-        let size = self.truth.nodes() * self.truth.dimension();
-        let snapshots = self.run.estimators[estimator].snapshots.iter().zip(&self.run.stamps);
-        let error = |(snapshot, &time): (&Option<Points>, &f64)| match snapshot {
-            Some(points) => (matrix(points) - self.truth.positions(time)).iter().copied().collect(),
-            None => vec![f64::NAN; size],
-        };
-        snapshots.flat_map(error).collect()
+        let truth = &self.deviations.truth;
+        let missing = vec![f64::NAN; truth.nodes() * truth.dimension()];
+        let snapshots = self.deviations.estimators[estimator].snapshots.iter();
+        snapshots
+            .flat_map(|off| off.as_ref().map_or(missing.as_slice(), |off| off.as_slice()))
+            .copied()
+            .collect()
     }
 
     /// The stamps, s.
@@ -112,19 +110,7 @@ impl AnchorlessTrial {
     /// # Errors
     /// Never for a run of the crate.
     pub fn new(run: KinematicsRun) -> Result<Self> {
-        let truth = motion(&run.truth)?;
-        let error = |each: &KinematicsEstimatorRun| {
-            if each.coefficients.is_empty() {
-                return Ok(None);
-            }
-            let found = motion(&each.coefficients)?;
-            let degree = found.degree().max(truth.degree());
-            let (found, truth) = (found.with_degree(degree), truth.with_degree(degree));
-            let pairs = found.coefficients().iter().zip(truth.coefficients());
-            RelativeKinematics::new(pairs.map(|(found, truth)| found - truth).collect()).map(Some)
-        };
-        let errors = run.estimators.iter().map(error).collect::<Result<_>>()?;
-        Ok(Self { run, truth, errors })
+        Ok(Self { deviations: KinematicsDeviations::of(&run)?, run })
     }
 
     /// The run that the arrays are read from.
@@ -132,17 +118,12 @@ impl AnchorlessTrial {
         &self.run
     }
 
+    fn motion(&self, estimator: usize) -> Option<&RelativeKinematics> {
+        self.deviations.estimators[estimator].motion.as_ref()
+    }
+
     fn over_time(&self, motion: &RelativeKinematics) -> Vec<f64> {
         let at = |&time: &f64| -> Vec<f64> { motion.positions(time).data.into() };
         self.run.instants.iter().flat_map(at).collect()
     }
-}
-
-fn motion(coefficients: &[Points]) -> Result<RelativeKinematics> {
-    RelativeKinematics::new(coefficients.iter().map(matrix).collect())
-}
-
-/// Points as columns.
-fn matrix(points: &Points) -> DMatrix<f64> {
-    DMatrix::from_fn(points[0].len(), points.len(), |i, node| points[node][i])
 }

@@ -2,7 +2,6 @@
 
 use rangelab::Error;
 use rangelab::model::kinematics::KinematicsScenario;
-use rangelab::model::kinematics::stamps::Stamps;
 use rangelab::study::kinematics::block::KinematicsBlock;
 use rangelab::study::kinematics::monte_carlo::KinematicsMonteCarlo;
 use rangelab::study::monte_carlo::TRIALS_PER_BLOCK;
@@ -97,15 +96,8 @@ pub(crate) fn scenarios(scenario: &str, counts: &[u32]) -> Result<Vec<Kinematics
     if counts.is_empty() {
         return Ok(vec![scenario]);
     }
-    let (first, last) = match &scenario.stamps {
-        Stamps::Regular { first, last, .. } => (*first, *last),
-        Stamps::Listed { times } => (
-            times.iter().copied().fold(f64::INFINITY, f64::min),
-            times.iter().copied().fold(f64::NEG_INFINITY, f64::max),
-        ),
-    };
     let with = |&count: &u32| {
-        let stamps = Stamps::Regular { first, last, count: count as usize };
+        let stamps = scenario.stamps.evenly(count as usize);
         let swept = KinematicsScenario { stamps, ..scenario.clone() };
         swept.setup()?;
         Ok(swept)

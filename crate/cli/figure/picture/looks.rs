@@ -14,7 +14,7 @@ pub const WARNING: Colour = [0x8a, 0x32, 0x00];
 const BOUND: Colour = [0x4b, 0x53, 0x60];
 
 /// Name, colour and mark of an estimator.
-const ESTIMATORS: [(&str, Colour, Mark); 34] = [
+const ESTIMATORS: [(&str, Colour, Mark); 36] = [
     ("kf", [0xaa, 0x40, 0x00], Mark::Ring),
     ("ortho", [0xbd, 0x86, 0x00], Mark::Square),
     ("uc-kf", [0x02, 0x51, 0x92], Mark::Triangle),
@@ -37,6 +37,7 @@ const ESTIMATORS: [(&str, Colour, Mark); 34] = [
     ("ukf-rie", [0xb4, 0x67, 0xa4], Mark::Triangle),
     ("mekf", [0x44, 0x8d, 0x65], Mark::Disc),
     ("algorithm-1-rank1", [0xaa, 0x40, 0x00], Mark::Square),
+    ("algorithm-1-so", [0xaa, 0x40, 0x00], Mark::Triangle),
     ("algorithm-1-literal", [0xaa, 0x40, 0x00], Mark::Cross),
     ("algorithm-2-rank1", [0xbd, 0x86, 0x00], Mark::Triangle),
     ("algorithm-2-so", [0xbd, 0x86, 0x00], Mark::Square),
@@ -48,18 +49,21 @@ const ESTIMATORS: [(&str, Colour, Mark); 34] = [
     ("range-polynomial-2", [0x57, 0x57, 0x57], Mark::Cross),
     ("range-polynomial-3", [0x44, 0x8d, 0x65], Mark::Disc),
     ("range-polynomial-4", [0xb4, 0x67, 0xa4], Mark::Diamond),
+    ("range-polynomial-5", [0x02, 0x51, 0x92], Mark::Square),
     ("range-polynomial-6", [0x02, 0x51, 0x92], Mark::Ring),
 ];
 /// Estimators that are drawn over others whose numbers they often have, or whose colour.
-const DASHED: [&str; 6] = [
-    "ekf-rie",
-    "ukf-rie",
-    "algorithm-1-literal",
-    "algorithm-2-literal",
-    "algorithm-2-so",
-    "range-polynomial-4",
+const BROKEN: [(&str, &[f32]); 8] = [
+    ("ekf-rie", DASH),
+    ("ukf-rie", DASH),
+    ("algorithm-1-literal", DOTS),
+    ("algorithm-1-so", DASH),
+    ("algorithm-2-literal", DOTS),
+    ("algorithm-2-so", DASH),
+    ("range-polynomial-4", DASH),
+    ("range-polynomial-5", DASH),
 ];
-/// What else is dashed, and bounds without a dash of their own.
+/// Bounds without a dash of their own have this one too.
 const DASH: &[f32] = &[7.0, 4.0];
 const DOTS: &[f32] = &[2.0, 4.0];
 const DASH_DOT: &[f32] = &[10.0, 3.0, 2.0, 3.0];
@@ -100,7 +104,8 @@ impl Look {
         let colour = estimator.map_or(BOUND, |(_, colour, _)| *colour);
         match curve.kind {
             CurveKind::Estimator => {
-                let dash: &[f32] = if DASHED.contains(&curve.name.as_str()) { DASH } else { &[] };
+                let dash =
+                    BROKEN.iter().find(|(name, _)| *name == curve.name).map_or(&[][..], |(_, dash)| *dash);
                 Self { colour, mark: estimator.map(|(.., mark)| *mark), dash }
             }
             CurveKind::Covariance => Self { colour, mark: None, dash: DOTS },

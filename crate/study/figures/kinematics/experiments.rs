@@ -19,6 +19,7 @@ type Experiments = Vec<(&'static str, Experiment)>;
 /// Numbers of stamps at which curves are drawn. The paper does not say its own.
 pub(super) const STAMPS: [usize; 7] = [10, 20, 50, 100, 200, 500, 1000];
 /// Where one number of stamps is spoken of.
+pub(super) const TEN: usize = 10;
 pub(super) const HUNDRED: usize = 100;
 pub(super) const THOUSAND: usize = 1000;
 
@@ -26,12 +27,13 @@ pub(super) const THOUSAND: usize = 1000;
 pub(super) const PAPER: usize = 0;
 pub(super) const DEGREE_2: usize = 1;
 pub(super) const DEGREE_3: usize = 2;
-pub(super) const DEGREE_6: usize = 3;
+pub(super) const DEGREE_5: usize = 3;
+pub(super) const DEGREE_6: usize = 4;
 /// Where those are with another interval.
-pub(super) const SHORT: usize = 4;
-pub(super) const SHORTEST: usize = 5;
-pub(super) const LONG: usize = 6;
-pub(super) const ONE_SIDED: usize = 7;
+pub(super) const SHORT: usize = 5;
+pub(super) const SHORTEST: usize = 6;
+pub(super) const LONG: usize = 7;
+pub(super) const ONE_SIDED: usize = 8;
 
 /// Where those of Fig. 2b are beside the one of the paper.
 pub(super) const MANY_STAMPS: usize = 1;
@@ -53,6 +55,7 @@ pub(super) fn figure_1() -> Experiments {
         ("-5 to 5 s, range polynomial of degree 4", sweep(&STAMPS, |it| polynomials(it, &algorithms, 4))),
         ("-5 to 5 s, range polynomial of degree 2", of_ranges(2)),
         ("-5 to 5 s, range polynomial of degree 3", of_ranges(3)),
+        ("-5 to 5 s, range polynomial of degree 5", of_ranges(5)),
         ("-5 to 5 s, range polynomial of degree 6", of_ranges(6)),
         ("-3 to 3 s, range polynomial of degree 3", on(-3.0, 3.0, &algorithms[..1], 3)),
         ("-1 to 1 s, range polynomial of degree 2", on(-1.0, 1.0, &algorithms[..1], 2)),

@@ -7,7 +7,7 @@ use alloc::format;
 use alloc::vec::Vec;
 
 use super::experiments::{
-    DEGREE_2, DEGREE_3, DEGREE_6, HUNDRED, LONG, ONE_SIDED, PAPER, SHORT, SHORTEST, THOUSAND,
+    DEGREE_2, DEGREE_3, DEGREE_5, DEGREE_6, HUNDRED, LONG, ONE_SIDED, PAPER, SHORT, SHORTEST, THOUSAND,
 };
 use super::reading::Quantity::Gram;
 use super::reading::{Bound, Reading, at_worst};
@@ -26,7 +26,7 @@ pub(super) fn figure_1(studies: &[Study]) -> Vec<Claim> {
 fn as_the_paper_says(studies: &[Study]) -> Vec<Claim> {
     let own = Reading::of(studies, PAPER);
     let mut claims = Vec::new();
-    for (index, degree) in [(DEGREE_2, 2), (DEGREE_3, 3), (PAPER, 4), (DEGREE_6, 6)] {
+    for (index, degree) in [(DEGREE_2, 2), (DEGREE_3, 3), (PAPER, 4), (DEGREE_5, 5), (DEGREE_6, 6)] {
         let ranges = Reading::of(studies, index);
         for l in 0..3 {
             let (stamps, found) = own.most(|stamps| {

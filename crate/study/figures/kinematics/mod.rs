@@ -20,7 +20,8 @@ pub(super) const FIGURE_1: Figure = Figure {
     paper: Paper::Kinematics,
     number: "1",
     title: "RMSE of the coefficients of the Gram matrix over the number of stamps",
-    statement: "the polynomial of the Gram matrix has a lower RMSE than that of each range in all coefficients, \
+    statement: "the polynomial of the Gram matrix has a lower RMSE than that of each range (whose degree q it does not say, so that \
+                q = 2 to 6 are guesses made here) in all coefficients, \
                 accelerometers improve them, and both fits are optimal for white noise (1000 trials; its RMSE is that of an \
                 entry, as drawn here, divided by sqrt(55)).",
     trials: TRIALS,

@@ -4,11 +4,11 @@ use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 
-use super::experiments::{DEGREE_2, DEGREE_3, DEGREE_6, PAPER};
+use super::experiments::{DEGREE_2, DEGREE_3, DEGREE_5, DEGREE_6, PAPER};
 use super::reading::Quantity::{self, AlignedPosition, Coefficient, Gram, Position};
 use super::reading::{Bound, Reading, bound_of, summary};
 use crate::model::kinematics::settings::KinematicsName::{
-    self, Algorithm1Literal, Algorithm1Rank1, Algorithm2Literal, Algorithm2Rank1, Algorithm2So,
+    self, Algorithm1Literal, Algorithm1Rank1, Algorithm1So, Algorithm2Literal, Algorithm2Rank1, Algorithm2So,
     MaximumLikelihood, MaximumLikelihoodAccelerometers, MultidimensionalScaling, RangePolynomial,
     SnapshotSync,
 };
@@ -23,7 +23,7 @@ const BOUNDS: [(Bound, &str); 2] =
 type Places<'a> = Vec<(f64, &'a KinematicsReport, Quantity)>;
 
 pub(super) fn figure_1(studies: &[Study]) -> Vec<Panel> {
-    let degrees = [(DEGREE_2, 2), (DEGREE_3, 3), (PAPER, 4), (DEGREE_6, 6)];
+    let degrees = [(DEGREE_2, 2), (DEGREE_3, 3), (PAPER, 4), (DEGREE_5, 5), (DEGREE_6, 6)];
     let panel = |(l, unit): (usize, &str)| {
         let places = |index| over_stamps(Reading::of(studies, index), Gram(l));
         let own = places(PAPER);
@@ -53,8 +53,10 @@ pub(super) fn figure_2a(studies: &[Study]) -> Vec<Panel> {
     let names = [
         Algorithm1Literal,
         Algorithm1Rank1,
+        Algorithm1So,
         Algorithm2Literal,
         Algorithm2Rank1,
+        Algorithm2So,
         SnapshotSync,
         MaximumLikelihood,
         MaximumLikelihoodAccelerometers,

@@ -9,7 +9,7 @@ use alloc::vec::Vec;
 
 use super::experiments::{HUNDRED, LITTLE_NOISE, MANY_STAMPS, PAPER, THOUSAND};
 use super::reading::Quantity::{AlignedPosition, Position};
-use super::reading::{Quantity, Reading};
+use super::reading::{Bound, Quantity, Reading};
 use crate::model::kinematics::settings::KinematicsName::{
     self, Algorithm1Rank1, Algorithm2Rank1, Algorithm2So, MaximumLikelihood, MultidimensionalScaling,
 };
@@ -90,9 +90,17 @@ fn as_the_paper_says(own: OverTime<'_>, studies: &[Study]) -> Vec<Claim> {
     claims
 }
 
-/// The rate of a common turn is what is not known.
+/// The rate of a common turn is what is not known: the bound grows with it, and hardly without.
 fn why_it_grows(own: OverTime<'_>) -> Vec<Claim> {
     let mut claims = Vec::new();
+    let bound = |quantity| own.sweep.bound(Bound::Distances, own.stamps, quantity);
+    let (end, found) = own.better_end(|i| across(bound(Position(i)), bound(Position(own.middle()))));
+    let what = format!("CRB from distances, aligned at 0 only, at {end} over that at 0");
+    claims.push(beyond(what, found, Interval::least(50.0)));
+    let (end, found) =
+        own.worst_end(|i| across(bound(AlignedPosition(i)), bound(AlignedPosition(own.middle()))));
+    let what = format!("CRB from distances, aligned at each instant, at {end} over that at 0");
+    claims.push(beyond(what, found, Interval::most(3.0)));
     for (name, most) in [(MaximumLikelihood, 0.1), (Algorithm2So, 0.5)] {
         let (end, found) =
             own.worst_end(|i| across(own.at(name, AlignedPosition(i)), own.at(name, Position(i))));

@@ -77,9 +77,9 @@ impl<'a> Reading<'a> {
         &self.0.points
     }
 
-    /// A number of an estimator.
+    /// A number of an estimator; none where it failed in some trial, for what is left of them is a choice of easy ones.
     pub(super) fn at(self, name: KinematicsName, stamps: usize, quantity: Quantity) -> Option<Estimate> {
-        quantity.of(summary(self.point(stamps)?, name)?)
+        quantity.of(self.complete(name, stamps)?)
     }
 
     /// A number of a bound.
@@ -112,7 +112,7 @@ impl<'a> Reading<'a> {
     /// What half of the trials of an estimator stay below in `Y_1`, m/s, with the standard error that the spread of the trials
     /// next to it gives.
     pub(super) fn median_velocity_error(self, name: KinematicsName, stamps: usize) -> Option<Estimate> {
-        let errors = &summary(self.point(stamps)?, name)?.velocity_distribution;
+        let errors = &self.complete(name, stamps)?.velocity_distribution;
         let at = |share| quantile(errors.iter().copied(), share);
         let reach = 0.5 / sqrt(errors.len() as f64);
         Some(Estimate { value: at(0.5)?, standard_error: 0.5 * (at(0.5 + reach)? - at(0.5 - reach)?) })
@@ -122,7 +122,12 @@ impl<'a> Reading<'a> {
     pub(super) fn most(self, number: impl Fn(usize) -> Option<Estimate>) -> (usize, Option<Estimate>) {
         let points = self.points();
         let (index, found) = extreme::most(points.len(), |i| number(points[i].stamps));
-        (points[index].stamps, found)
+        (points.get(index).map_or(0, |point| point.stamps), found)
+    }
+
+    /// The summary of an estimator that gave an estimate in every trial.
+    fn complete(self, name: KinematicsName, stamps: usize) -> Option<&'a KinematicsSummary> {
+        summary(self.point(stamps)?, name).filter(|summary| summary.failures == 0)
     }
 
     fn point(self, stamps: usize) -> Option<&'a KinematicsReport> {

@@ -47,8 +47,9 @@ impl KinematicsSweep {
     /// A sweep of a scenario's enabled estimators.
     ///
     /// # Errors
-    /// When the scenario is not valid at some number of stamps.
+    /// When the scenario is not valid, as it is or at some number of stamps.
     pub fn new(scenario: KinematicsScenario, stamp_counts: &[usize]) -> Result<Self> {
+        scenario.setup()?;
         let point = |&count: &usize| {
             let mut scenario = scenario.clone();
             scenario.stamps = scenario.stamps.evenly(count);

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { formatNumber, formatPoint, formatReading, parseNumber } from "./format";
+import { formatError, formatNumber, formatPoint, formatReading, parseNumber } from "./format";
 
 test("numbers come back from how they are written", () => {
   for (const value of [0, 1, -2.5, 0.001, 123456, 2 ** 53, 1e-9, -1e12])
@@ -29,4 +29,8 @@ test("readings have a dash for what is not there", () => {
 
 test("a point is written with all its coordinates", () => {
   expect(formatPoint([0.25, -1, 12.3456789])).toBe("(0.25, −1, 12.3457) m");
+});
+
+test("a standard error has two digits", () => {
+  expect([0.07093, 11.3, 99.7, 0, NaN].map(formatError)).toEqual(["0.071", "11", "99.7", "0", "–"]);
 });

@@ -15,6 +15,13 @@ export function formatReading(value: number | null): string {
   return (size >= 100 ? value.toFixed(0) : value.toPrecision(3)).replace("-", MINUS);
 }
 
+/** Two significant digits: for standard errors. */
+export function formatError(value: number): string {
+  const size = Math.abs(value);
+  if (!Number.isFinite(value) || size === 0 || size >= 99.5 || size < 1e-4) return formatReading(value);
+  return value.toPrecision(2).replace("-", MINUS);
+}
+
 /** What was typed, with either minus and either decimal sign; null where it is no finite number. */
 export function parseNumber(text: string): number | null {
   const plain = text.trim().replace(MINUS, "-").replace(",", ".");

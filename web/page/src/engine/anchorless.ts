@@ -115,13 +115,37 @@ export function anchorlessSpectrum(scenario: KinematicsScenario, trial: number):
   return JSON.parse(anchorlessModule.call(() => wasm.anchorless_spectrum(JSON.stringify(scenario), trial)));
 }
 
+type BoundPair = [distances: KinematicsBoundReport, accelerometers: KinematicsBoundReport];
+
+function boundsFrom([distances, accelerometers]: BoundPair): KinematicsBounds {
+  return { distances, accelerometers };
+}
+
 /** The bounds at each number of stamps, or at the scenario's own where there is none. Throws an `Error` with a sentence. */
-export function anchorlessBounds(scenario: KinematicsScenario, counts: Uint32Array): KinematicsBounds[] {
+function anchorlessBounds(scenario: KinematicsScenario, counts: Uint32Array): KinematicsBounds[] {
   const text = JSON.stringify(scenario);
-  const pairs: [KinematicsBoundReport, KinematicsBoundReport][] = JSON.parse(
-    anchorlessModule.call(() => wasm.anchorless_bounds(text, counts)),
-  );
-  return pairs.map(([distances, accelerometers]) => ({ distances, accelerometers }));
+  const pairs: BoundPair[] = JSON.parse(anchorlessModule.call(() => wasm.anchorless_bounds(text, counts)));
+  return pairs.map(boundsFrom);
+}
+
+/** The bounds of the scenario asked about last: its report and its covariances are read one after the other. */
+let kept: { text: string; generation: number; bounds: wasm.AnchorlessBounds } | null = null;
+
+function boundsOf(scenario: KinematicsScenario): wasm.AnchorlessBounds {
+  const [text, { generation }] = [JSON.stringify(scenario), anchorlessModule];
+  if (kept?.generation === generation) {
+    if (kept.text === text) return kept.bounds;
+    kept.bounds.free();
+  }
+  kept = null;
+  kept = { text, generation, bounds: new wasm.AnchorlessBounds(text) };
+  return kept.bounds;
+}
+
+/** The bounds at the scenario's own stamps. Throws an `Error` with a sentence. */
+export function anchorlessOwnBounds(scenario: KinematicsScenario): KinematicsBounds {
+  const text = anchorlessModule.call(() => boundsOf(scenario).reports());
+  return boundsFrom(JSON.parse(text));
 }
 
 /** The bound on the covariance of each node's position at a time (s), m²: N x D x D. Throws where there is none. */
@@ -130,8 +154,17 @@ export function anchorlessCovariances(
   accelerometers: boolean,
   time: number,
 ): Float64Array {
-  const text = JSON.stringify(scenario);
-  return anchorlessModule.call(() => wasm.anchorless_covariances(text, accelerometers, time));
+  return anchorlessModule.call(() => boundsOf(scenario).positions(accelerometers, time));
+}
+
+/** The same of the tips of the arrows of the l-th derivative, drawn `factor` (s^l) long. Throws where there is none. */
+export function anchorlessTipCovariances(
+  scenario: KinematicsScenario,
+  accelerometers: boolean,
+  l: number,
+  factor: number,
+): Float64Array {
+  return anchorlessModule.call(() => boundsOf(scenario).tips(accelerometers, l, factor));
 }
 
 /** A study's pieces start at multiples of this. */

@@ -103,6 +103,8 @@ export interface PlotSpec {
   readonly ceiling?: number;
   /** A sentence on what the picture leaves out, or null. */
   readonly note: string | null;
+  /** Whether it stands above the middle, where curves reach into the right corner. */
+  readonly noteInMiddle?: boolean;
 }
 
 /** What the numbers of a plot are of. */

@@ -33,15 +33,20 @@ export function frameOf(room: Room, run: LabRun | null, subject: Subject, step: 
   const anchors = (run ? run.anchors : room.anchors).map(lift);
   const track = [lift(room.start), ...(run ? trackPoints(run) : [])];
   const bodyRadius = Math.max(1e-6, ...room.body.map((point) => length(lift(point))));
-  const whole = box([...anchors, ...track], bodyRadius);
+  const extent = room.extent?.map(lift);
+  const around = extent ? 0 : bodyRadius;
+  const whole = box([...anchors, ...track, ...(extent ?? [])], around);
   const near = box([bodyPosition(room, run, step)], AROUND_BODY * bodyRadius);
   const radius = halfDiagonal(whole);
-  const ground = groundBelow(whole[0][2] + bodyRadius, radius);
+  const ground = groundBelow(whole[0][2] + around, radius);
   const feet = anchors.map(([x, y]): Vec3 => [x, y, ground]);
   const share = bodyRadius / halfDiagonal(subject === "all" ? whole : near);
   return {
     flat: room.dimension === 2,
-    points: subject === "all" ? [...anchors, ...feet, ...corners(box(track, bodyRadius))] : corners(near),
+    points:
+      subject === "all"
+        ? [...anchors, ...feet, ...corners(box(track, around)), ...(extent ?? [])]
+        : (extent ?? corners(near)),
     whole,
     centre: scale(add(...whole), 0.5),
     radius,

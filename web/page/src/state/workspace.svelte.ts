@@ -46,8 +46,8 @@ export class Workspace<R extends LabRun = LabRun, S extends SceneDocument = Scen
   hovered: Thing | null = $state(null);
   /** The line of sight through the pointer, while it is over the scene of a lab with a field. */
   ray: Ray | null = $state.raw(null);
-  /** Averages over many trials, while the plots show them, and the lab that they are of. */
-  averages: { lab: Lab; picture: StudyPicture } | null = $state.raw(null);
+  /** Averages over many trials, while the plots show them, the lab that they are of, and whether they are over time. */
+  averages: { lab: Lab; picture: StudyPicture; overTime: boolean } | null = $state.raw(null);
   /** The one estimator that stands out in the plots, or null. */
   emphasis: string | null = $state(null);
 
@@ -60,9 +60,19 @@ export class Workspace<R extends LabRun = LabRun, S extends SceneDocument = Scen
     return this.session.lab;
   }
 
-  /** The averages shown; never those of another lab, of which this one knows nothing. */
+  /** The averages over time that are shown; never those of another lab, of which this one knows nothing. */
   get study(): StudyPicture | null {
-    return this.averages?.lab === this.lab ? this.averages.picture : null;
+    return this.#averages(true);
+  }
+
+  /** The averages of a page of their own, which say nothing about the errors at a step. */
+  get studyPage(): StudyPicture | null {
+    return this.#averages(false);
+  }
+
+  #averages(overTime: boolean): StudyPicture | null {
+    const shown = this.averages;
+    return shown?.lab === this.lab && shown.overTime === overTime ? shown.picture : null;
   }
 
   constructor(

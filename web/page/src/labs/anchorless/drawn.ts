@@ -2,8 +2,8 @@ import type { KinematicsFound } from "../../engine";
 import type { KinematicsScenario } from "../../generated/KinematicsScenario";
 import { add, lift, niceBelow, scale, sub, type Vec3 } from "../../scene/geometry";
 import type { SceneInput } from "../../scene/input";
-import { ARROW_KINDS, reach } from "./handles";
-import { ERRORS, hintOf } from "./hints";
+import { ARROW_KINDS } from "./handles";
+import { ERRORS, hintOf, reach } from "./hints";
 import type { AnchorlessRun } from "./run";
 
 /** Where nodes, arrows and estimates of a run are drawn: errors are magnified around the truth. */

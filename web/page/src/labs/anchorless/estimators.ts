@@ -23,7 +23,7 @@ export interface EstimatorGroup {
 const [DASH, LONG, DOTS] = [
   [7, 4],
   [14, 4],
-  [2, 3],
+  [2, 4],
 ];
 
 /** The four solvers of the second stage of both algorithms: one colour each, told apart by mark and dash. */
@@ -158,8 +158,8 @@ export function lineLook(name: KinematicsName): Omit<PlotLine, "values" | "stand
 
 /** The bounds by what they know. */
 export const BOUNDS = [
-  { kind: "distances", label: "CRB, distances", dash: [8, 4] },
-  { kind: "accelerometers", label: "CRB, all readings", dash: [3, 3] },
+  { kind: "distances", label: "CRB, distances", dash: DASH },
+  { kind: "accelerometers", label: "CRB, all readings", dash: DOTS },
 ] as const;
 
 export type BoundKind = (typeof BOUNDS)[number]["kind"];

@@ -1,7 +1,8 @@
 import { anchorlessModule, completeAnchorless, validateAnchorless } from "../../engine";
 import type { Family } from "../../family";
 import type { KinematicsScenario } from "../../generated/KinematicsScenario";
-import { clean, dimensionOf, gaugeOf, isIdentity, middleOf, placedBack, type Points, seen } from "./gauge";
+import { dimensionOf, gaugeOf, isIdentity, middleOf, placedBack } from "./gauge";
+import { nodesOf, tipsOf } from "./nodes";
 
 /** Mobile nodes without anchors: what stands in the room are the nodes at time 0, as the gauge shows them. */
 export const anchorless: Family<KinematicsScenario> = {
@@ -21,6 +22,7 @@ export const anchorless: Family<KinematicsScenario> = {
       movable: true,
       start: middle,
       body: nodes.map((node) => node.map((value, axis) => value - middle[axis])),
+      extent: [...nodes, ...tipsOf(scenario, 1), ...tipsOf(scenario, 2)],
     };
   },
   withAnchors(scenario, places) {
@@ -42,14 +44,3 @@ export const anchorless: Family<KinematicsScenario> = {
     coefficients: scenario.coefficients.map((points) => points.filter((_, node) => !indices.includes(node))),
   }),
 };
-
-const shown = new WeakMap<KinematicsScenario, Points>();
-
-/** The nodes at time 0 as they are seen. */
-export function nodesOf(scenario: KinematicsScenario): Points {
-  const known = shown.get(scenario);
-  if (known) return known;
-  const nodes = seen(scenario)[0].map(clean);
-  shown.set(scenario, nodes);
-  return nodes;
-}

@@ -1,8 +1,8 @@
 import type { KinematicsScenario } from "../../generated/KinematicsScenario";
 import type { Handle } from "../../state/handles";
-import { nodesOf } from "./family";
-import { clean, gaugeOf, seen, turnedBack } from "./gauge";
-import { arrowSeconds } from "./hints";
+import { clean, gaugeOf, turnedBack } from "./gauge";
+import { reach } from "./hints";
+import { nodesOf, tipsOf } from "./nodes";
 
 /** The arrows of a node at time 0: how the tip follows from the derivative, and what it is drawn with. */
 export const ARROW_KINDS = [
@@ -10,23 +10,16 @@ export const ARROW_KINDS = [
   { l: 2, name: "acceleration", token: "anchor", mark: "square", unit: "m/s²" },
 ] as const;
 
-/** Metres from a node to the tip for each unit of the derivative: the way in that time, t or t²/2. */
-export function reach(scenario: Pick<KinematicsScenario, "stamps" | "view">, l: number): number {
-  const seconds = arrowSeconds(scenario);
-  return l === 1 ? seconds : (seconds * seconds) / 2;
-}
-
 /** The tips of the arrows; a scenario without accelerations has none for them. */
 export function handles(scenario: KinematicsScenario): Handle<KinematicsScenario>[] {
-  const [nodes, coefficients] = [nodesOf(scenario), seen(scenario)];
-  return ARROW_KINDS.filter(({ l }) => l < coefficients.length).flatMap(({ l, name, token, mark }) =>
-    nodes.map((node, index): Handle<KinematicsScenario> => ({
+  return ARROW_KINDS.flatMap(({ l, name, token, mark }) =>
+    tipsOf(scenario, l).map((place, index): Handle<KinematicsScenario> => ({
       id: `${name} ${index}`,
       name: `Tip of the ${name} of node ${index + 1}`,
-      place: clean(node.map((value, axis) => value + reach(scenario, l) * coefficients[l][index][axis])),
+      place,
       mark,
       token,
-      move: (next, place) => withTip(next, l, index, place),
+      move: (next, tip) => withTip(next, l, index, tip),
     })),
   );
 }

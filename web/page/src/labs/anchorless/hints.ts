@@ -40,3 +40,9 @@ export function arrowSeconds(scenario: Pick<KinematicsScenario, "stamps" | "view
   const [first, last] = intervalOf(scenario);
   return hintOf(scenario, ARROWS) ?? (last > first ? 2 * (last - first) : 1);
 }
+
+/** Metres from a node to the tip of its arrow for each unit of the derivative: the way in that time, t or t²/2. */
+export function reach(scenario: Pick<KinematicsScenario, "stamps" | "view">, l: number): number {
+  const seconds = arrowSeconds(scenario);
+  return l === 1 ? seconds : (seconds * seconds) / 2;
+}

@@ -30,7 +30,8 @@ export const lab: Lab<AnchorlessRun, KinematicsScenario> = {
   shows: "Mobile nodes, their arrows and their estimates in space",
   layers: [ground, distances, uncertainty, motion, arrows, anchors, estimates, handleMarks],
   uncertainty: {
-    position: "Ellipses hold 95 % of the positions that the bounds allow, drawn larger as the errors are",
+    position:
+      "Ellipses hold 95 % of the positions and of the arrows' tips that the bounds allow, drawn larger as the errors are",
   },
   handles,
   labels: (input) => [...anchorLabels(input), ...handleLabels(input), ...groundLabels(input)],

@@ -1,5 +1,5 @@
 import { ellipsoidAxes } from "../../scene/ellipsoid";
-import { add, length, lift, scale, sub } from "../../scene/geometry";
+import { add, length, lift, scale, sub, type Vec3 } from "../../scene/geometry";
 import type { Layer } from "../../scene/input";
 import type { KinematicsScenario } from "../../generated/KinematicsScenario";
 import {
@@ -38,20 +38,23 @@ export const motion: AnchorlessLayer = (input, out) => {
   });
 };
 
-/** What the bounds allow at the step shown, 95 %, drawn as much larger as the errors are. */
+const OPACITY: Record<BoundKind, number> = { distances: 0.16, accelerometers: 0.28 };
+
+/** What the bounds allow, 95 %, of the nodes at the step shown and of the tips of their arrows, as magnified as errors are. */
 export const uncertainty: AnchorlessLayer = (input, out) => {
   const { step, palette, frame } = input;
   const run = runThatFits(input);
   if (!run || !input.uncertainty.position) return;
-  const opacity: Record<BoundKind, number> = { distances: 0.16, accelerometers: 0.28 };
-  const magnification = errorScale(input);
+  const [magnification, ofArrows, all] = [errorScale(input), arrowScale(input), trueArrows(input)];
   for (const kind of boundKinds(run.scenario.estimators.enabled)) {
-    const covariances = run.covariances(kind, step);
-    if (!covariances) continue;
-    run.anchors.forEach((_, node) => {
-      const axes = ellipsoidAxes(covariances, node, run.dimension, magnification);
+    const ellipsoid = (covariances: Float64Array | null, node: number, at: Vec3, times: number) => {
+      const axes = covariances && ellipsoidAxes(covariances, node, run.dimension, times);
       if (axes?.every((axis) => length(axis) < frame.radius))
-        out.ellipsoid(truePlace(run, step, node), axes, palette.rgba("bound", opacity[kind]));
+        out.ellipsoid(at, axes, palette.rgba("bound", OPACITY[kind]));
+    };
+    all.forEach((ofNode, node) => {
+      ellipsoid(run.covariances(kind, step), node, truePlace(run, step, node), magnification);
+      for (const { l, to } of ofNode) ellipsoid(run.tipCovariances(kind, l), node, to, ofArrows);
     });
   }
 };

@@ -1,7 +1,8 @@
-import type { KinematicsFound } from "../../engine";
+import type { KinematicsBounds, KinematicsFound } from "../../engine";
+import type { KinematicsName } from "../../generated/KinematicsName";
 import type { KinematicsScenario } from "../../generated/KinematicsScenario";
 import { type PlotAxis, type PlotLine, type PlotSpec, timeAxis } from "../../plots/spec";
-import { lineLook } from "./estimators";
+import { boundKinds, boundLook, lineLook } from "./estimators";
 import type { AnchorlessRun } from "./run";
 import { spectrumPlots } from "./spectrum";
 
@@ -13,18 +14,25 @@ export const EACH = { name: "anchorless-each", shortTitle: "Aligned at each t", 
 export function plots(_scenario: KinematicsScenario, run: AnchorlessRun): PlotSpec[] {
   const common = { ...PLAIN, x: timeAxis(run.times) };
   const { estimators } = run.trial;
+  const { enabled } = run.scenario.estimators;
   return [
     {
       ...common,
       ...ONE,
       title: "Error, one alignment",
-      lines: lines(estimators, (found) => found.positionErrors),
+      lines: [
+        ...boundLines(run.bounds, enabled, "positions"),
+        ...lines(estimators, (found) => found.positionErrors),
+      ],
     },
     {
       ...common,
       ...EACH,
       title: "Error, aligned at each t",
-      lines: lines(estimators, (found) => found.alignedPositionErrors),
+      lines: [
+        ...boundLines(run.bounds, enabled, "aligned_positions"),
+        ...lines(estimators, (found) => found.alignedPositionErrors),
+      ],
     },
     ...spectrumPlots(run),
   ];
@@ -34,6 +42,21 @@ function lines(all: readonly KinematicsFound[], pick: (found: KinematicsFound) =
   return all
     .filter((found) => pick(found).length > 0)
     .map((found) => ({ ...lineLook(found.name), values: pick(found), standardErrors: null }));
+}
+
+/** The bounds over time that belong to what is switched on. */
+export function boundLines(
+  bounds: KinematicsBounds,
+  enabled: readonly KinematicsName[],
+  of: "positions" | "aligned_positions",
+): PlotLine[] {
+  return boundKinds(enabled)
+    .filter((kind) => bounds[kind][of].length > 0)
+    .map((kind) => ({
+      ...boundLook(kind),
+      values: Float64Array.from(bounds[kind][of]),
+      standardErrors: null,
+    }));
 }
 
 /** Along it lie the numbers 1, 2, … */

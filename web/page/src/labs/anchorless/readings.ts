@@ -10,6 +10,8 @@ import type { StampAverages } from "./study";
 export interface Reading extends KinematicsEstimator {
   /** m, m/s, m/s²; null where the estimator finds no motion. */
   readonly errors: readonly number[] | null;
+  /** Standard errors of these; null of one trial. */
+  readonly standardErrors: readonly number[] | null;
   /** Times its bound in velocity. */
   readonly ratio: number | null;
   /** Why there is nothing in the row. */
@@ -39,6 +41,7 @@ function reading(name: KinematicsName, levels: readonly Level[], remark: string)
   return {
     ...estimatorOf(name),
     errors: level?.errors ?? null,
+    standardErrors: level?.standardErrors ?? null,
     ratio: level ? overBound(level, 1) : null,
     remark: level ? "" : remark,
   };

@@ -1,8 +1,9 @@
 import {
-  anchorlessBounds,
   anchorlessCovariances,
+  anchorlessOwnBounds,
   anchorlessPreset,
   anchorlessSpectrum,
+  anchorlessTipCovariances,
   type KinematicsBounds,
   type KinematicsTrial,
   runAnchorless,
@@ -11,18 +12,20 @@ import type { GramSpectrum } from "../../generated/GramSpectrum";
 import type { KinematicsScenario } from "../../generated/KinematicsScenario";
 import type { LabRun } from "../../lab";
 import type { BoundKind } from "./estimators";
-import { nodesOf } from "./family";
 import { dimensionOf, middleOf, pointsAt, seen } from "./gauge";
+import { reach } from "./hints";
+import { nodesOf } from "./nodes";
 
 /** Trial 0 through the estimators, the network as the gauge shows it. */
 export interface AnchorlessRun extends LabRun {
   readonly scenario: KinematicsScenario;
   readonly trial: KinematicsTrial;
   readonly spectrum: GramSpectrum;
-  /** Of the coefficients alone: a curve over time takes longer than a drag waits. */
   readonly bounds: KinematicsBounds;
   /** The bound on the covariance of each node's position at a step, m²: N x D x D; null where there is none. */
   covariances(kind: BoundKind, step: number): Float64Array | null;
+  /** The same of the tips of the arrows of the l-th derivative. */
+  tipCovariances(kind: BoundKind, l: number): Float64Array | null;
 }
 
 /** None but the scenario's own. */
@@ -51,26 +54,32 @@ export function runOf(scenario: KinematicsScenario): AnchorlessRun {
     scenario,
     trial,
     spectrum: anchorlessSpectrum(moved, 0),
-    bounds: anchorlessBounds({ ...moved, steps: 1 }, OWN_STAMPS)[0],
-    covariances: remembered((kind, step) => {
-      try {
-        return anchorlessCovariances(moved, kind === "accelerometers", times[step]);
-      } catch {
-        // No bound: the run's bounds say why.
-        return null;
-      }
-    }),
+    bounds: anchorlessOwnBounds(moved),
+    covariances: remembered((kind, step) =>
+      anchorlessCovariances(moved, kind === "accelerometers", times[step]),
+    ),
+    tipCovariances: remembered((kind, l) =>
+      anchorlessTipCovariances(moved, kind === "accelerometers", l, reach(scenario, l)),
+    ),
   };
 }
 
-/** The last answer of each kind is kept: a scene is drawn many times at one step. */
-function remembered(compute: AnchorlessRun["covariances"]): AnchorlessRun["covariances"] {
-  const kept = new Map<BoundKind, { step: number; value: Float64Array | null }>();
-  return (kind, step) => {
-    const known = kept.get(kind);
-    if (known?.step === step) return known.value;
-    const value = compute(kind, step);
-    kept.set(kind, { step, value });
+type Covariances = AnchorlessRun["covariances"];
+
+/** Every answer is kept: a scene is drawn many times at one step. Where there is no bound, the run's bounds say why. */
+function remembered(compute: (...of: Parameters<Covariances>) => Float64Array): Covariances {
+  const kept = new Map<string, Float64Array | null>();
+  return (kind, index) => {
+    const key = `${kind} ${index}`;
+    const known = kept.get(key);
+    if (known !== undefined) return known;
+    let value: Float64Array | null = null;
+    try {
+      value = compute(kind, index);
+    } catch {
+      // As said above.
+    }
+    kept.set(key, value);
     return value;
   };
 }

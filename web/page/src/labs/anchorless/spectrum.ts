@@ -8,9 +8,14 @@ const ROUNDING = 1e-12;
 
 /** Sizes of the eigenvalues of the Gram matrices: D of them stand out, the others are noise. */
 export function spectrumPlots({ spectrum, anchors, dimension, scenario }: AnchorlessRun): PlotSpec[] {
-  const common = { ...PLAIN, x: countAxis("eigenvalue", anchors.length) };
+  const common = {
+    ...PLAIN,
+    x: countAxis("eigenvalue", anchors.length),
+    // The curves fall from the left and rise to the right.
+    note: `${dimension} kept; last: negative`,
+    noteInMiddle: true,
+  };
   const { degree } = scenario.estimators;
-  const note = `${dimension} kept; last: negative`;
   const top = degree === 2 ? "accelerations" : `Y${degree}`;
   return [
     {
@@ -19,7 +24,6 @@ export function spectrumPlots({ spectrum, anchors, dimension, scenario }: Anchor
       title: "Spectrum: positions",
       shortTitle: "Spectrum, positions",
       unit: "m²",
-      note,
       lines: [
         ...sizes("epoch", "one epoch", "range", "ring", [2, 3], spectrum.epoch),
         ...sizes("fitted", "fit of all", "uc-kf", "square", [], spectrum.fitted),
@@ -32,7 +36,6 @@ export function spectrumPlots({ spectrum, anchors, dimension, scenario }: Anchor
       title: `Spectrum: ${top}`,
       shortTitle: `Spectrum, ${top}`,
       unit: ["m²", "m²/s²", "m²/s⁴"][degree] ?? `m²/s^${2 * degree}`,
-      note,
       lines: [
         ...sizes("fitted", "fit of all", "uc-kf", "square", [], spectrum.fitted_top),
         ...sizes("truth", "truth", "truth", "disc", [7, 4], spectrum.truth_top),

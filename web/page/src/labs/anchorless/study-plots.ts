@@ -2,12 +2,13 @@ import type { Estimate } from "../../generated/Estimate";
 import type { KinematicsEstimatorReport } from "../../generated/KinematicsEstimatorReport";
 import type { KinematicsScenario } from "../../generated/KinematicsScenario";
 import { type PlotLine, type PlotSpec, timeAxis } from "../../plots/spec";
-import { boundKinds, boundLook, lineLook } from "./estimators";
-import { EACH, ONE, PLAIN } from "./plots";
+import { lineLook } from "./estimators";
+import { boundLines, EACH, ONE, PLAIN } from "./plots";
 import type { StampAverages } from "./study";
 
 /** The positions over time as averages over trials, beside their bounds. */
-export function studyPlots(averages: StampAverages, scenario: KinematicsScenario): PlotSpec[] {
+export function studyPlots(averages: StampAverages, { estimators }: KinematicsScenario): PlotSpec[] {
+  const { enabled } = estimators;
   const common = { ...PLAIN, x: timeAxis(Float64Array.from(averages.instants)) };
   return [
     {
@@ -15,7 +16,7 @@ export function studyPlots(averages: StampAverages, scenario: KinematicsScenario
       ...ONE,
       title: "RMSE, one alignment",
       lines: [
-        ...boundLines(averages, scenario, "positions"),
+        ...boundLines(averages.bounds, enabled, "positions"),
         ...linesOf(averages.estimators, ({ summary }) => summary.positions),
       ],
     },
@@ -24,7 +25,7 @@ export function studyPlots(averages: StampAverages, scenario: KinematicsScenario
       ...EACH,
       title: "RMSE, aligned at each t",
       lines: [
-        ...boundLines(averages, scenario, "aligned_positions"),
+        ...boundLines(averages.bounds, enabled, "aligned_positions"),
         ...linesOf(averages.estimators, ({ summary }) => summary.aligned_positions),
       ],
     },
@@ -45,18 +46,4 @@ export function numbersOf(
 ): Pick<PlotLine, "values" | "standardErrors"> {
   const numbers = (of: keyof Estimate) => Float64Array.from(estimates, (estimate) => estimate?.[of] ?? NaN);
   return { values: numbers("value"), standardErrors: numbers("standard_error") };
-}
-
-function boundLines(
-  { bounds }: StampAverages,
-  { estimators }: KinematicsScenario,
-  of: "positions" | "aligned_positions",
-): PlotLine[] {
-  return boundKinds(estimators.enabled)
-    .filter((kind) => bounds[kind][of].length > 0)
-    .map((kind) => ({
-      ...boundLook(kind),
-      values: Float64Array.from(bounds[kind][of]),
-      standardErrors: null,
-    }));
 }

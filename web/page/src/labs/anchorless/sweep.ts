@@ -8,6 +8,7 @@ import { startAnchorlessWorker } from "../../workers/start";
 import { sweepVerdict } from "./findings";
 import { intervalOf } from "./hints";
 import type { AnchorlessRun } from "./run";
+import type { StampAverages } from "./study";
 import { sweepPlots } from "./sweep-plots";
 
 /** The averages at each number of stamps, and the bounds on them. */
@@ -15,6 +16,13 @@ export interface SweepAverages {
   readonly trials: number;
   readonly reports: readonly KinematicsReport[];
   readonly bounds: readonly KinematicsBounds[];
+}
+
+/** The averages at the number of stamps next to one. */
+export function averagesAt({ reports, bounds }: SweepAverages, stamps: number): StampAverages {
+  const away = (index: number) => Math.abs(Math.log(reports[index].stamps / stamps));
+  const nearest = reports.reduce((best, _, index) => (away(index) < away(best) ? index : best), 0);
+  return { ...reports[nearest], bounds: bounds[nearest] };
 }
 
 const FINE_COUNTS = Uint32Array.of(10, 20, 50, 100, 200, 500, 1000);
