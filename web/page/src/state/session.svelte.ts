@@ -275,7 +275,7 @@ export class Session<R extends LabRun = LabRun, S extends SceneDocument = SceneD
     this.#tell();
   };
 
-  /** A fresh engine gets the scenario again; one that breaks over it too gets the last good one. */
+  /** The engine starts afresh and gets the scenario again; one that breaks over it too gets the last good one. */
   async #recover(error: unknown): Promise<void> {
     this.#traps += 1;
     reportError(error);
@@ -283,8 +283,7 @@ export class Session<R extends LabRun = LabRun, S extends SceneDocument = SceneD
       this.failure = "The engine stops at every scene. Reload the page; the scene is kept.";
       return;
     }
-    // At once: the page may ask it before the next frame. What follows waits for the task that broke to end.
-    engine.restartEngine();
+    // What follows waits for the task that broke to end.
     await Promise.resolve();
     if (this.#traps > 1) this.#retreat();
     scheduleCompute(this.#compute);
