@@ -64,6 +64,11 @@ export function plotData({ x, lines }: PlotSpec, scale: ScaleKind): uPlot.Aligne
   ];
 }
 
+/** The estimator that stands out in a plot; none where no line of it is that one's. */
+export function emphasisIn({ lines }: Pick<PlotSpec, "lines">, wanted: string | null): string | null {
+  return lines.some((line) => line.name === wanted) ? wanted : null;
+}
+
 /** Dims every estimator but the one that stands out; bounds are the ruler and stay. */
 export function applyEmphasis(plot: uPlot, { spec, emphasis }: Look): void {
   spec.lines.forEach((line, index) => (plot.series[index + 1].alpha = isFaint(line, emphasis) ? FAINT : 1));

@@ -48,8 +48,8 @@ export class Workspace<R extends LabRun = LabRun, S extends SceneDocument = Scen
   ray: Ray | null = $state.raw(null);
   /** Averages over many trials, while the plots show them, and the lab that they are of. */
   averages: { lab: Lab; picture: StudyPicture } | null = $state.raw(null);
-  /** The one estimator that stands out in the plots, or null. */
-  emphasis: string | null = $state(null);
+  /** The one estimator that stands out, and the lab that it is of. */
+  #emphasized: { lab: Lab; name: string } | null = $state.raw(null);
 
   /** How much room there is: it decides where the numbers stand. */
   get room(): "narrow" | "medium" | "wide" {
@@ -72,9 +72,14 @@ export class Workspace<R extends LabRun = LabRun, S extends SceneDocument = Scen
     this.themeChoice = themeChoice;
   }
 
+  /** The one estimator that stands out in the plots, or null. */
+  get emphasis(): string | null {
+    return this.#emphasized?.lab === this.lab ? this.#emphasized.name : null;
+  }
+
   /** Lets an estimator stand out, or all be equal again. */
   emphasize(name: string): void {
-    this.emphasis = this.emphasis === name ? null : name;
+    this.#emphasized = this.emphasis === name ? null : { lab: this.lab, name };
   }
 
   setTheme(choice: ThemeChoice): void {
