@@ -93,6 +93,24 @@ test("a short reach and a wall take ranges away, by the keyboard alone", async (
   await expect(group.getByRole("group", { name: "Wall 1", exact: true })).toHaveCount(0);
 });
 
+test("a box that is ticked in vain is not ticked: a wall whose top would lie below its bottom", async ({
+  page,
+}) => {
+  const lab = await openExplore(page);
+  const group = await lab.openGroup("Range availability");
+  await group.getByRole("button", { name: "Add a wall" }).click();
+  await group.getByRole("checkbox", { name: "Wall 1, bottom" }).check();
+  await lab.type("Wall 1, bottom", "3");
+  const top = group.getByRole("checkbox", { name: "Wall 1, top" });
+  await top.click();
+  await expect(lab.alert).toContainText("The scenario stays as it was.");
+  await expect(top).not.toBeChecked();
+  await lab.type("Wall 1, bottom", "1");
+  await top.click();
+  await expect(top).toBeChecked();
+  await expect(lab.field("Wall 1, top")).toHaveValue("2");
+});
+
 test("an anchor with a limit leaves with its limit", async ({ page }) => {
   const lab = await openExplore(page);
   const group = await lab.openGroup("Range availability");
