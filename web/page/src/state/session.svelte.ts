@@ -51,7 +51,7 @@ export class Session<R extends LabRun = LabRun, S extends SceneDocument = SceneD
   #good: S | null = null;
   /** How often in a row the engine broke. */
   #traps = 0;
-  /** The last scene of each lab one has been in. */
+  /** The last scene of each family one has been in. */
   #left: Record<string, S> = {};
   #pendingWhat: string | null = "Ready";
   #pendingFit = false;
@@ -121,9 +121,10 @@ export class Session<R extends LabRun = LabRun, S extends SceneDocument = SceneD
   }
 
   #openLab(lab: Lab): void {
-    this.#left[this.lab.name] = this.scenario;
+    this.#left[this.lab.family.name] = this.scenario;
     const kept = lab.family === this.lab.family;
-    const scenario = kept ? this.scenario : (this.#left[lab.name] ?? (lab.preset(lab.firstPreset) as S));
+    const left = this.#left[lab.family.name];
+    const scenario = kept ? this.scenario : (left ?? (lab.preset(lab.firstPreset) as S));
     this.open(`Lab ${lab.title} opened`, forLab(scenario, lab, this.labs));
   }
 

@@ -159,6 +159,19 @@ test("a lab of the same family takes the scene along, another one opens a scene 
   await settle();
 });
 
+test("a detour over another family leads back to the scene, in whichever lab of its own family", async () => {
+  const [one] = await labs();
+  const cousin = { ...one, name: "cousin" };
+  const stranger = { ...one, name: "stranger", family: await familyOf("other") };
+  const session = new Session(scenario(7), [one, cousin, stranger]);
+  session.openLab(cousin);
+  session.edit("Seed set to 8", { ...session.scenario, seed: 8 });
+  session.openLab(stranger);
+  session.openLab(one);
+  expect([session.lab.name, session.scenario.seed]).toEqual(["one", 8]);
+  await settle();
+});
+
 /** A cousin of the first lab whose part of the engine comes, or not, when it is told to. */
 async function withLateLab() {
   const [one] = await labs();
