@@ -27,6 +27,8 @@ export class Session<R extends LabRun = LabRun, S extends SceneDocument = SceneD
   /** What stands in the scene, whatever kind of document it is. */
   readonly room: Room = $derived.by(() => this.lab.family.room(this.scenario));
   run: R | null = $state.raw(null);
+  /** The scenario that the run is of: while one drags, and where a run failed, not the one at hand. */
+  computed: S | null = $state.raw(null);
   /** Why the engine has no run for the scenario; the last good one stays. */
   failure: string | null = $state(null);
   /** Why the last edit, link or file was not taken; gone with the next edit that is. */
@@ -47,8 +49,6 @@ export class Session<R extends LabRun = LabRun, S extends SceneDocument = SceneD
   opened = $state(0);
   readonly #keeper = new Keeper();
   #history: History<Entry<S>>;
-  /** The scenario of the last run. */
-  #good: S | null = null;
   /** How often in a row the engine broke. */
   #traps = 0;
   /** The last scene of each family one has been in. */
@@ -145,12 +145,15 @@ export class Session<R extends LabRun = LabRun, S extends SceneDocument = SceneD
     return this.openPreset(this.lab.firstPreset);
   }
 
+  /** An edit in progress ends first; one that leaves a bad scenario is all that is taken back. */
   undo(): void {
+    if (this.previewing && !this.#settle()) return this.#openWaiting();
     const undone = this.#history.undo();
     if (undone) this.#travel(`Undone: ${lowerFirst(undone.what)}`);
   }
 
   redo(): void {
+    if (this.previewing && !this.#settle()) return this.#openWaiting();
     const redone = this.#history.redo();
     if (redone) this.#travel(`Done again: ${lowerFirst(redone.what)}`);
   }
@@ -179,6 +182,11 @@ export class Session<R extends LabRun = LabRun, S extends SceneDocument = SceneD
   #loadShown(): void {
     const { lab } = this;
     const standIn = (error: unknown) => {
+      // Undo led back to a lab that never came: where it led from stands yet.
+      if (this.#history.redo()) {
+        this.#show();
+        return this.refuse(`${notLoaded(lab, error)} The lab ${this.lab.title} stays.`);
+      }
       const [first] = this.labs;
       this.#history = new History({ scenario: first.preset(first.firstPreset) as S, what: "Opened" });
       this.#show();
@@ -267,7 +275,7 @@ export class Session<R extends LabRun = LabRun, S extends SceneDocument = SceneD
     try {
       this.run = this.lab.compute(this.scenario) as R;
       this.failure = null;
-      this.#good = this.scenario;
+      this.computed = this.scenario;
       this.#traps = 0;
     } catch (error) {
       if (error instanceof engine.EngineTrap) return void this.#recover(error);
@@ -293,7 +301,7 @@ export class Session<R extends LabRun = LabRun, S extends SceneDocument = SceneD
   #retreat(): void {
     this.#history.discard();
     const { lab } = this;
-    const good = this.#good ?? (forLab(lab.preset(lab.firstPreset), lab, this.labs) as S);
+    const good = this.computed ?? (forLab(lab.preset(lab.firstPreset), lab, this.labs) as S);
     if (this.#history.present.scenario !== good)
       this.#history.edit({ scenario: good, what: "Back to a scene the engine can compute" });
     this.#show();

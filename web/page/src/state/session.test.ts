@@ -1,6 +1,6 @@
 import { beforeEach, expect, test, vi } from "vitest";
-import type { Family } from "../family";
-import type { Lab } from "../lab";
+import type { Family, SceneDocument } from "../family";
+import type { Lab, LabRun } from "../lab";
 import type { Scenario } from "../scenario";
 import { Session } from "./session.svelte";
 
@@ -109,6 +109,31 @@ test("a file that comes during a drag waits for its end", async () => {
   expect([session.scenario.seed, session.undoes]).toEqual([50, "Scenario opened from the file fifty.json"]);
   session.undo();
   expect([session.scenario.seed, session.undoes]).toEqual([4, "Dragged"]);
+});
+
+test("undo in the middle of a drag takes the drag back, a bad one and nothing else", async () => {
+  const session = await open();
+  session.edit("Seed set to 2", scenario(2));
+  session.preview("Dragged", scenario(3));
+  session.undo();
+  expect([session.scenario.seed, session.redoes]).toEqual([2, "Dragged"]);
+  session.preview("Dragged badly", scenario(100));
+  session.undo();
+  expect([session.scenario.seed, session.undoes, session.redoes]).toEqual([2, "Seed set to 2", "Dragged"]);
+  session.preview("Dragged badly", scenario(100));
+  session.redo();
+  expect([session.scenario.seed, session.undoes]).toEqual([2, "Seed set to 2"]);
+  expect(session.refusal).toContain("seed is 100");
+  await settle();
+});
+
+test("the run is known to be of the scenario, or of an earlier one", async () => {
+  const session = await open();
+  expect(session.computed).toBe(session.scenario);
+  session.preview("Dragged", scenario(3));
+  expect([session.computed?.seed, seedOf(session)]).toEqual([1, 1]);
+  await settle();
+  expect([session.computed, seedOf(session)]).toEqual([session.scenario, 3]);
 });
 
 test("an engine that broke once is started again and computes the same scenario", async () => {
@@ -221,4 +246,21 @@ test("a page that opens in a lab waits for it, and opens as without a link where
   await settle();
   expect([stranded.lab.name, stranded.ready, seedOf(stranded)]).toEqual(["one", true, 0]);
   expect(stranded.refusal).toContain("The default scene is shown instead");
+});
+
+test("undo into a lab that never came goes back to where it was, with all that was done there", async () => {
+  const { all, late, fail } = await withLateLab();
+  const session = new Session<LabRun, SceneDocument>({ ...scenario(3), view: { lab: "late" } }, all);
+  session.openLab(all[0]);
+  session.edit("Seed set to 4", { ...session.scenario, seed: 4 });
+  session.undo();
+  fail();
+  await settle();
+  session.undo();
+  expect([session.lab, session.ready]).toEqual([late, false]);
+  fail();
+  await settle();
+  expect([session.lab.name, session.scenario.seed, session.ready]).toEqual(["one", 3, true]);
+  expect(session.redoes).toBe("Seed set to 4");
+  expect(session.refusal).toBe("The lab Late could not be loaded (No network). The lab One stays.");
 });
