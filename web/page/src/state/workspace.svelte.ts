@@ -46,8 +46,8 @@ export class Workspace<R extends LabRun = LabRun, S extends SceneDocument = Scen
   hovered: Thing | null = $state(null);
   /** The line of sight through the pointer, while it is over the scene of a lab with a field. */
   ray: Ray | null = $state.raw(null);
-  /** Averages over many trials, while the plots show them, and the lab that they are of. */
-  averages: { lab: Lab; picture: StudyPicture } | null = $state.raw(null);
+  /** Averages over many trials, while the plots show them, the lab that they are of, and whether of an earlier scenario. */
+  averages: { lab: Lab; picture: StudyPicture; stale: boolean } | null = $state.raw(null);
   /** The one estimator that stands out, and the lab that it is of. */
   #emphasized: { lab: Lab; name: string } | null = $state.raw(null);
 
@@ -63,6 +63,11 @@ export class Workspace<R extends LabRun = LabRun, S extends SceneDocument = Scen
   /** The averages shown; never those of another lab, of which this one knows nothing. */
   get study(): StudyPicture | null {
     return this.averages?.lab === this.lab ? this.averages.picture : null;
+  }
+
+  /** Whether the averages shown are of an earlier scenario: new ones are on their way. */
+  get studyStale(): boolean {
+    return this.study !== null && this.averages!.stale;
   }
 
   constructor(
