@@ -87,6 +87,21 @@ describe("a figure under way", () => {
     expect(run.done).toBe(3);
   });
 
+  test("is of an earlier order until the first drawing of the new one, not only until its first job", () => {
+    const [fake, run] = start();
+    run.start(A);
+    fake.answer(2);
+    expect(run.stale).toBe(false);
+    run.start({ ...A, seed: 2 });
+    fake.answer(1);
+    expect([run.done, run.stale]).toEqual([1, true]);
+    vi.advanceTimersByTime(1000);
+    fake.answer(1);
+    expect(run.stale).toBe(false);
+    fake.answer(2);
+    expect([run.complete, run.stale]).toEqual([true, false]);
+  });
+
   test("keeps the last good figure where the next one cannot be, and says why", () => {
     const [fake, run] = start();
     run.start(A);

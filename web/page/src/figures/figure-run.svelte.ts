@@ -36,6 +36,8 @@ interface Round {
 export class FigureRun {
   /** The latest picture; it stays until the next one is there. */
   picture: FigurePicture | null = $state.raw(null);
+  /** What the picture was asked for by. */
+  #drawn: FigureOrder | null = $state.raw(null);
   /** The table of a finished figure, as the command line writes it. */
   csv: string | null = $state.raw(null);
   /** What is computed, or was last. */
@@ -60,6 +62,11 @@ export class FigureRun {
   /** Whether the picture is of all its trials: then files can be made of it. */
   get complete(): boolean {
     return this.csv !== null && !this.running;
+  }
+
+  /** Whether the picture is of an earlier order than the one under way. */
+  get stale(): boolean {
+    return this.running && this.#drawn !== this.order;
   }
 
   start(order: FigureOrder): void {
@@ -115,6 +122,7 @@ export class FigureRun {
     // Until every curve has a trial there is nothing to see.
     if (!picture || picture.report.trials === 0) return;
     this.picture = picture;
+    this.#drawn = this.order;
     this.csv = null;
     const took = performance.now() - began;
     this.#nextDrawing = performance.now() + Math.max(REFRESH_MS, REFRESH_FACTOR * took);
