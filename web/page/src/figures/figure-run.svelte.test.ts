@@ -116,7 +116,7 @@ describe("a figure under way", () => {
     expect(run.failure).toContain("The engine stopped.");
     expect([run.running, fake.open]).toEqual([false, 0]);
     run.start(A);
-    fake.listener.failed("The workers stopped 6 times in a row.");
+    fake.listener.failed("The workers stopped 6 times in a row.", false);
     expect(run.failure).toContain("6 times");
   });
 });

@@ -254,7 +254,10 @@ export class Session<R extends LabRun = LabRun, S extends SceneDocument = SceneD
     this.scenario = this.#history.present.scenario;
     const lab = labOf(this.scenario, this.labs) ?? this.lab;
     // A run means nothing to another lab than its own.
-    if (lab !== this.lab) this.run = null;
+    if (lab !== this.lab) {
+      this.run = null;
+      this.lab.leave?.();
+    }
     this.lab = lab;
     this.selected = existing(this, this.selected);
     this.ready = this.loader.has(lab);

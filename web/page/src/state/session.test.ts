@@ -171,14 +171,17 @@ test("a first scene that breaks the engine gives way to the preset, and a hopele
 
 test("a lab of the same family takes the scene along, another one opens a scene of its own", async () => {
   const [one] = await labs();
-  const cousin = { ...one, name: "cousin" };
+  const leave = vi.fn();
+  const cousin = { ...one, name: "cousin", leave };
   const stranger = { ...one, name: "stranger", family: await familyOf("other") };
   const session = new Session(scenario(7), [one, cousin, stranger]);
   session.openLab(cousin);
   expect([session.lab.name, session.scenario.seed]).toEqual(["cousin", 7]);
   session.edit("Seed set to 8", { ...session.scenario, seed: 8 });
+  expect(leave).not.toHaveBeenCalled();
   session.openLab(stranger);
   expect([session.lab.name, session.scenario.seed]).toEqual(["stranger", 0]);
+  expect(leave).toHaveBeenCalledTimes(1);
   session.openLab(cousin);
   expect([session.lab.name, session.scenario.seed]).toEqual(["cousin", 8]);
   await settle();

@@ -35,7 +35,7 @@ function setup(restarts = 3, start = scene(0)) {
     seek,
     find,
     queue: () => queue,
-    fail: (text: string) => listener.failed(text),
+    fail: (text: string) => listener.failed(text, true),
   };
 }
 
