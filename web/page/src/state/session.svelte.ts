@@ -1,8 +1,8 @@
 import * as engine from "../engine";
 import type { Room, SceneDocument } from "../family";
 import { forLab, type Lab, labOf, type LabRun } from "../lab";
-import { lowerFirst } from "../words";
-import { notLoaded, readLink, readText, sentenceOf, textOf } from "./document";
+import { lowerFirst, startOf } from "../words";
+import { notLoaded, readDocument, readLink, readText, sentenceOf, textOf } from "./document";
 import { scheduleCompute } from "./frames";
 import { History } from "./history";
 import { Keeper } from "./keeper";
@@ -131,6 +131,11 @@ export class Session<R extends LabRun = LabRun, S extends SceneDocument = SceneD
   /** Opens the scenario of a link; a bad one is told in a sentence, leaves the address and changes nothing. */
   openLink(hash: string): Promise<void> {
     return this.#openFrom("the link", () => readLink(hash, this.labs));
+  }
+
+  /** Opens a scenario that stands elsewhere on the page. */
+  openDocument(document: unknown, source: string): Promise<void> {
+    return this.#openFrom(source, () => readDocument(document, startOf(source), this.labs));
   }
 
   /** Opens the scenario of a JSON file. */

@@ -136,6 +136,15 @@ test("the run is known to be of the scenario, or of an earlier one", async () =>
   expect([session.computed, seedOf(session)]).toEqual([session.scenario, 3]);
 });
 
+test("a document from elsewhere on the page opens as one edit, a bad one is refused by its name", async () => {
+  const session = await open();
+  await session.openDocument(scenario(9), "figure two");
+  expect([session.scenario.seed, session.undoes]).toEqual([9, "Scenario opened from figure two"]);
+  await session.openDocument(scenario(100), "figure two");
+  expect(session.scenario.seed).toBe(9);
+  expect(session.refusal).toMatch(/^Figure two holds a scenario that does not work: seed is 100/);
+});
+
 test("an engine that broke once is started again and computes the same scenario", async () => {
   const session = await open();
   fake.deadly.add(5);
