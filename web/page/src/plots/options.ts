@@ -78,7 +78,7 @@ export function isFaint(line: PlotLine, emphasis: string | null): boolean {
   return emphasis !== null && line.mark !== null && line.name !== emphasis;
 }
 
-/** The unit stands at every number: a row of its own would cost a low plot a tenth of its height. */
+/** Along time the unit at every number says enough; anything else has its name below, which costs a row. */
 function acrossAxis(look: () => Look): uPlot.Axis {
   const { palette } = look();
   const most = (plot: uPlot) => plot.width / (4.5 * palette.fontSize);
@@ -87,7 +87,10 @@ function acrossAxis(look: () => Look): uPlot.Axis {
     size: 1.7 * palette.fontSize,
     splits: (plot, _axis, low, high) => ticks([low, high], look().spec.x.scale, most(plot)),
     filter: (_plot, splits) => splits,
-    values: (_plot, splits) => splits.map((value) => `${tickLabel(value)} ${look().spec.x.unit}`.trim()),
+    values: (_plot, splits) => {
+      const { timed, unit } = look().spec.x;
+      return splits.map((value) => (timed ? `${tickLabel(value)} ${unit}` : tickLabel(value)));
+    },
   };
 }
 
