@@ -108,6 +108,7 @@ describe("a figure under way", () => {
     fake.answer(4);
     run.start({ ...A, trials: 0 });
     expect(run.failure).toBe("0 trials are too few. The figure stays as it was.");
+    expect([run.order?.trials, run.jobs]).toEqual([0, 0]);
     expect(run.picture?.report.trials).toBe(40);
     expect(run.complete).toBe(true);
     run.start(A);

@@ -40,7 +40,7 @@ export class FigureRun {
   #drawn: FigureOrder | null = $state.raw(null);
   /** The table of a finished figure, as the command line writes it. */
   csv: string | null = $state.raw(null);
-  /** What is computed, or was last. */
+  /** What is computed, or was last, or was refused. */
   order: FigureOrder | null = $state.raw(null);
   jobs = $state(0);
   done = $state(0);
@@ -71,6 +71,8 @@ export class FigureRun {
 
   start(order: FigureOrder): void {
     this.#end();
+    [this.order, this.jobs, this.done] = [order, 0, 0];
+    [this.cancelled, this.failure] = [false, null];
     this.#guard(() => {
       const jobs = this.tools.jobs(order);
       this.#round = {
@@ -79,8 +81,7 @@ export class FigureRun {
         early: new InOrder(),
         started: performance.now(),
       };
-      [this.order, this.jobs, this.done, this.running] = [order, jobs, 0, true];
-      [this.cancelled, this.failure, this.secondsLeft] = [false, null, null];
+      [this.jobs, this.running] = [jobs, true];
       this.#nextDrawing = 0;
       this.#pool.replace(Array.from({ length: jobs }, (_, job) => ({ order, job })));
     });
