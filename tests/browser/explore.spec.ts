@@ -38,13 +38,13 @@ test("dragging an anchor moves the bounds and the field while the button is down
   const lab = await openExplore(page);
   const before = await read(page, "body");
   for (const number of before) expect(Number(number)).toBeGreaterThan(0);
-  const picture = await lab.surface.screenshot();
   const from = await lab.anchorPixel(2);
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
+  const picture = await lab.middle();
   await page.mouse.move(from.x - 90, from.y + 40, { steps: 6 });
   await expect.poll(() => read(page, "body")).not.toEqual(before);
-  expect((await lab.surface.screenshot()).equals(picture)).toBe(false);
+  await expect.poll(async () => (await lab.middle()).equals(picture)).toBe(false);
   await page.mouse.up();
   await expect(lab.status).toContainText("Anchor 2 moved to");
   await page.keyboard.press("Control+z");
@@ -75,7 +75,7 @@ test("the field is read under the pointer and at a typed point", async ({ page }
 test("a short reach and a wall take ranges away, by the keyboard alone", async ({ page }) => {
   const lab = await openExplore(page);
   const group = await lab.openGroup("Range availability");
-  await expect(group).toContainText(/^.*0 of \d+ ranges cannot be measured/s);
+  await expect(group).toContainText(/\b0 of \d+ ranges cannot be measured/);
   const before = await read(page, "body");
   await group.getByRole("checkbox", { name: "Anchor 1 reaches" }).focus();
   await page.keyboard.press("Space");
