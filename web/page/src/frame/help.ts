@@ -47,17 +47,16 @@ export function scopeOf<S extends SceneDocument>(
   };
 }
 
-/** The parts of a line that are there, joined. */
-const all = (...parts: (string | false)[]) => parts.filter((part) => part !== false).join("");
+const OR = new Intl.ListFormat("en-GB", { type: "disjunction" });
 const only = (there: boolean, ...lines: Line[]): Line[] => (there ? lines : []);
 
 export function keysFor(scope: HelpScope): Line[] {
   const { anchor, body, hasStart, handle, designs, timed, marked } = scope;
-  const chosen = all(
+  const chosen = OR.format([
     withArticle(anchor),
-    hasStart && `, the start of the ${body}`,
-    handle !== null && ", a handle",
-  );
+    ...(hasStart ? [`the start of the ${body}`] : []),
+    ...(handle === null ? [] : ["a handle"]),
+  ]);
   return [
     ...only(
       timed,
