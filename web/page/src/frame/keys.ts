@@ -6,7 +6,8 @@ const SCROLLING = [" ", "Home", "End"];
 /** Whether the element or one around it, short of the page, has more than it shows. */
 function scrolls(element: Element): boolean {
   for (let each: Element | null = element; each && each !== document.body; each = each.parentElement)
-    if (each.scrollHeight > each.clientHeight && /auto|scroll/.test(getComputedStyle(each).overflowY)) return true;
+    if (each.scrollHeight > each.clientHeight && /auto|scroll/.test(getComputedStyle(each).overflowY))
+      return true;
   return false;
 }
 
