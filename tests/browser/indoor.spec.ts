@@ -35,13 +35,13 @@ async function linked(page: Page, old = ""): Promise<string> {
 test("dragging a beacon moves the estimates while it goes; one undo takes it back", async ({ page }) => {
   const lab = await openIndoor(page);
   const before = await errors(page).innerText();
-  const picture = await lab.surface.screenshot();
   const from = await lab.anchorPixel(2);
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
+  const picture = await lab.middle();
   await page.mouse.move(from.x - 90, from.y + 40, { steps: 6 });
   await expect.poll(() => errors(page).innerText()).not.toBe(before);
-  expect((await lab.surface.screenshot()).equals(picture)).toBe(false);
+  await expect.poll(async () => (await lab.middle()).equals(picture)).toBe(false);
   await page.mouse.up();
   await expect(lab.status).toContainText("Beacon 2 moved to");
   await page.keyboard.press("Control+z");
@@ -153,7 +153,7 @@ test("bad input is refused in a sentence, and the last good scene stays", async 
     (hash) => (location.hash = hash),
     pack({ version: 1, imu: {}, view: { lab: "track" } }),
   );
-  await expect(lab.alert).toContainText("This link holds a scenario that does not work");
+  await expect(lab.alert).toContainText("unknown field `imu`");
   await lab.type("Transmitter 2, x", "0.05");
   await expect.poll(() => errors(page).innerText()).toBe(before);
   await health.expectGood(lab);
@@ -186,8 +186,9 @@ test("a drag of a run of 100 steps is answered live", async ({ page }) => {
       `drag to picture, ${name} filters: p50 ${quantile(seen, 0.5).toFixed(1)} ms, p95 ${quantile(seen, 0.95).toFixed(1)} ms`,
     );
   expect(four.length).toBeGreaterThan(20);
-  // A shared machine without a graphics device: this catches a computation that blocks.
-  expect(quantile(four, 0.5)).toBeLessThan(1000);
+  // 15 and 24 ms on two shared cores without a graphics device.
+  expect(quantile(four, 0.5)).toBeLessThan(150);
+  expect(quantile(nine, 0.5)).toBeLessThan(250);
 });
 
 test("axe finds nothing with everything open, in any theme", async ({ page }) => {

@@ -97,3 +97,19 @@ test("every control can be reached by Tab and shows its focus", async ({ page })
     expect(seen.join("\n")).toContain(part);
   expect(seen.length).toBeGreaterThan(40);
 });
+
+test("Home, End and Space scroll what has the focus to be scrolled, and elsewhere go along the run", async ({
+  page,
+}) => {
+  const lab = await Lab.open(page);
+  await lab.openGroups();
+  const panel = page.getByRole("group", { name: "Settings" });
+  const first = await lab.step.innerText();
+  await panel.focus();
+  await page.keyboard.press("End");
+  await expect.poll(() => panel.evaluate((element) => element.scrollTop)).toBeGreaterThan(100);
+  expect(await lab.step.innerText()).toBe(first);
+  await lab.surface.focus();
+  await page.keyboard.press("Home");
+  await expect(lab.step).toHaveText("1");
+});

@@ -60,6 +60,16 @@ export class Lab {
     return { x: box.x + Number(x), y: box.y + Number(y) };
   }
 
+  /** A picture of the middle of the scene, where the body is: no anchor under the pointer is in it. */
+  async middle(): Promise<Buffer> {
+    await this.settled();
+    const box = await this.surface.boundingBox();
+    if (!box) throw new Error("the scene is not on the page");
+    const [width, height] = [box.width / 4, box.height / 4];
+    const clip = { x: box.x + 1.5 * width, y: box.y + 1.5 * height, width, height };
+    return this.page.screenshot({ clip });
+  }
+
   async drag(number: number, dx: number, dy: number): Promise<void> {
     const from = await this.anchorPixel(number);
     await this.page.mouse.move(from.x, from.y);
@@ -95,8 +105,10 @@ export class Lab {
   }
 
   async openPreset(name: string): Promise<void> {
-    await this.page.getByLabel("Preset", { exact: true }).selectOption({ value: name });
-    await expect(this.status).toContainText("opened");
+    const list = this.page.getByLabel("Preset", { exact: true });
+    const title = await list.locator(`option[value="${name}"]`).innerText();
+    await list.selectOption({ value: name });
+    await expect(this.status).toContainText(`Preset “${title}” opened`);
   }
 
   /** On a narrow screen the controls are a sheet. */

@@ -42,13 +42,13 @@ async function table(lab: Lab, title: string): Promise<string[][]> {
 test("dragging an anchor moves numbers and clouds; one undo takes it back", async ({ page }) => {
   const lab = await openLocalize(page);
   const before = await errors(page).innerText();
-  const picture = await lab.surface.screenshot();
   const from = await lab.anchorPixel(2);
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
+  const picture = await lab.middle();
   await page.mouse.move(from.x - 90, from.y + 40, { steps: 6 });
   await expect.poll(() => errors(page).innerText()).not.toBe(before);
-  expect((await lab.surface.screenshot()).equals(picture)).toBe(false);
+  await expect.poll(async () => (await lab.middle()).equals(picture)).toBe(false);
   await page.mouse.up();
   await expect(lab.status).toContainText("Anchor 2 moved to");
   await page.keyboard.press("Control+z");
@@ -130,6 +130,7 @@ test("curves are sketched while one drags, refined when it rests, and stop when 
   await expect.poll(() => trials(page), { timeout: 60_000 }).toBeGreaterThanOrEqual(50);
   expect(await points()).toBe(first);
   await lab.type("Noise level σ", "0.02");
+  await lab.settled();
   expect(await trials(page), "the sweep is the same whatever the noise is").toBeGreaterThanOrEqual(50);
   await lab.type("Seed", "7");
   await expect.poll(() => trials(page), { timeout: 60_000, intervals: [20] }).toBeGreaterThanOrEqual(50);

@@ -67,6 +67,17 @@ const FIGURES = [
 ];
 const LABELS = { kf: "KF", ortho: "KF-ortho", "uc-kf": "UC-KF", "et-kf": "ET-KF", eskf: "ESKF" };
 
+test("averages of an earlier scene say that they are", async ({ page }) => {
+  const lab = await openStudy(page);
+  await stopAfter(page, FIRST_PICTURE);
+  const before = page.getByText("of the scene before");
+  await expect(before).toBeHidden();
+  await lab.type("Seed", "31");
+  await expect(before).toBeVisible();
+  await page.keyboard.press("Control+z");
+  await expect(before).toBeHidden();
+});
+
 test("the averages are those of the command line, to the last digit", async ({ page }) => {
   test.setTimeout(600_000);
   const lab = await openStudy(page);

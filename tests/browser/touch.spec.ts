@@ -158,3 +158,32 @@ test("taps choose several, send them to a place, and a double tap adds an anchor
   await fingers.tap(floor);
   await expect(page.locator("#scene-twin li")).toHaveCount(count + 1);
 });
+
+test("a page that is scrolled over a plot keeps its noise; a tap and a finger that goes sideways set it", async ({
+  page,
+}) => {
+  const lab = await Lab.open(page);
+  await page.getByRole("navigation", { name: "Labs" }).getByRole("button", { name: "Localize" }).click();
+  const marker = lab.plot("Position RMSE").locator(".now");
+  await marker.scrollIntoViewIfNeeded();
+  const undo = page.getByRole("button", { name: "Undo" });
+  const [fingers, start] = [await Fingers.on(page), await undo.getAttribute("title")];
+  const spot = async (): Promise<Spot> => {
+    const box = (await lab.plot("Position RMSE").locator(".host").boundingBox())!;
+    return { x: box.x + 0.3 * box.width, y: box.y + 0.5 * box.height };
+  };
+  const scrolled = () => page.evaluate(() => scrollY);
+
+  const [from, before] = [await spot(), await scrolled()];
+  await fingers.slide([{ from, to: { x: from.x, y: from.y - 150 } }]);
+  await expect.poll(scrolled).toBeGreaterThan(before + 50);
+  await lab.settled();
+  expect(await undo.getAttribute("title")).toBe(start);
+
+  await fingers.tap(await spot());
+  await expect(undo).toHaveAttribute("title", /ζ set to/);
+  const tapped = await undo.getAttribute("title");
+  const again = await spot();
+  await fingers.slide([{ from: again, to: { x: again.x + 90, y: again.y } }]);
+  await expect(undo).not.toHaveAttribute("title", tapped!);
+});

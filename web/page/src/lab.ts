@@ -78,6 +78,8 @@ export interface Lab<R extends LabRun = LabRun, S extends SceneDocument = SceneD
   readonly firstPreset: string;
   /** Throws an `Error` with a sentence. */
   compute(scenario: S): R;
+  /** Ends what it does besides computing: another lab is opened. */
+  leave?(): void;
   /** What the scene is a picture of, as its name for those who do not see it. */
   readonly shows: string;
   readonly layers: readonly Layer<R, S>[];

@@ -8,6 +8,7 @@ import type { KinematicsScenario } from "../generated/KinematicsScenario";
 import * as wasm from "../wasm/anchorless/rangelab_anchorless.js";
 import url from "../wasm/anchorless/rangelab_anchorless_bg.wasm?url";
 import { EngineModule } from "./module";
+import { Resident } from "./resident";
 import type { Complaint } from "./track";
 
 export const anchorlessModule = new EngineModule(wasm, url);
@@ -82,12 +83,7 @@ export function completeAnchorless(document: unknown): KinematicsScenario {
 
 /** Simulates a trial of the scenario and runs its estimators on it. Throws an `Error` with a sentence. */
 export function runAnchorless(scenario: KinematicsScenario, trial: number): KinematicsTrial {
-  const run = anchorlessModule.call(() => wasm.run_anchorless(JSON.stringify(scenario), trial));
-  try {
-    return decode(run);
-  } finally {
-    run.free();
-  }
+  return Resident.once(anchorlessModule, () => wasm.run_anchorless(JSON.stringify(scenario), trial), decode);
 }
 
 const DRAWN = [0, 1, 2];
@@ -216,28 +212,30 @@ function unflat(numbers: Float64Array): KinematicsBounds[] {
 
 /** A study under way, at each number of stamps or at the scenario's own: the same bits as the command line's. */
 export class AnchorlessSum {
-  readonly #sum: wasm.AnchorlessSum;
-  readonly #generation = anchorlessModule.generation;
+  readonly #sum: Resident<wasm.AnchorlessSum>;
   /** One for each number of stamps, once the first block is there. */
   bounds: readonly KinematicsBounds[] = [];
 
   constructor(scenario: KinematicsScenario, counts: Uint32Array) {
-    this.#sum = anchorlessModule.call(() => new wasm.AnchorlessSum(JSON.stringify(scenario), counts));
+    this.#sum = new Resident(
+      anchorlessModule,
+      () => new wasm.AnchorlessSum(JSON.stringify(scenario), counts),
+    );
   }
 
   /** Joins the trials that come next; throws where `block` is not that. */
   push(block: Float64Array): void {
     const [length] = block;
     if (length > 0) this.bounds = unflat(block.subarray(1, 1 + length));
-    anchorlessModule.call(() => this.#sum.push(block.subarray(1 + length)));
+    this.#sum.use((sum) => sum.push(block.subarray(1 + length)));
   }
 
   /** One report for each number of stamps. */
   read(): KinematicsReport[] {
-    return JSON.parse(anchorlessModule.call(() => this.#sum.reports()));
+    return JSON.parse(this.#sum.use((sum) => sum.reports()));
   }
 
   free(): void {
-    if (this.#generation === anchorlessModule.generation) this.#sum.free();
+    this.#sum.free();
   }
 }

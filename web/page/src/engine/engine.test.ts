@@ -7,12 +7,18 @@ interface Files {
 
 const NOWHERE = 0xfffffff0;
 let traps = false;
+let readTraps = false;
 let instances = 0;
 
-/** An instance whose `track` reads outside its memory while `traps` is set: the trap is a real one. */
+/** An instance whose `track` reads outside its memory while `traps` is set, and the reading of a run too: real traps. */
 function trapping(exports: WebAssembly.Exports): WebAssembly.Exports {
   const track = exports.track as (...numbers: number[]) => unknown;
-  return { ...exports, track: (...given: number[]) => (traps ? track(NOWHERE, 64, 0) : track(...given)) };
+  const times = exports.trackrun_times as (...numbers: number[]) => unknown;
+  return {
+    ...exports,
+    track: (...given: number[]) => (traps ? track(NOWHERE, 64, 0) : track(...given)),
+    trackrun_times: (...given: number[]) => (readTraps ? track(NOWHERE, 64, 0) : times(...given)),
+  };
 }
 
 beforeAll(async () => {
@@ -33,20 +39,37 @@ beforeAll(async () => {
 });
 
 describe("after a trap", () => {
-  test("the engine says so in a sentence and a restart makes it whole", async () => {
+  test("the engine says so in a sentence, and the next call finds it whole", () => {
     const room = engine.preset("room");
     const before = engine.track(room);
     const study = new engine.StudySum(room);
     traps = true;
     expect(() => engine.track(room)).toThrow(engine.EngineTrap);
     expect(() => engine.track(room)).toThrow("has to be started again");
-    traps = false;
-    engine.restartEngine();
     expect(instances).toBe(2);
+    traps = false;
     expect(engine.track(room)).toEqual(before);
-    expect(() => study.read()).toThrow("stale");
+    expect(instances).toBe(3);
+    expect(() => study.read()).toThrow(engine.EngineRestarted);
     study.free();
     expect(engine.track(room)).toEqual(before);
+  });
+
+  test("a run that breaks while it is read is a trap as well", () => {
+    const before = engine.track(engine.preset("room"));
+    readTraps = true;
+    expect(() => engine.track(engine.preset("room"))).toThrow(engine.EngineTrap);
+    readTraps = false;
+    expect(engine.track(engine.preset("room"))).toEqual(before);
+  });
+
+  test("a refusal starts nothing anew: studies under way go on", () => {
+    const [room, started] = [engine.preset("room"), instances];
+    const study = new engine.StudySum(room);
+    expect(() => engine.preset("nowhere")).toThrow("nowhere");
+    study.push(engine.studyBlock(room, 0, engine.trialsPerBlock()));
+    expect([study.read().trials, instances]).toEqual([engine.trialsPerBlock(), started]);
+    study.free();
   });
 });
 

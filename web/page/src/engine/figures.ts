@@ -4,6 +4,7 @@ import type { Figure } from "../generated/Figure";
 import * as wasm from "../wasm/figures/rangelab_figures.js";
 import url from "../wasm/figures/rangelab_figures_bg.wasm?url";
 import { EngineModule } from "./module";
+import { Resident } from "./resident";
 
 export const figuresModule = new EngineModule(wasm, url);
 
@@ -29,29 +30,28 @@ export function figureBlock({ name, trials, seed }: FigureOrder, job: number): F
 
 /** A figure under way: the same bits as the command line's, whoever computed the jobs. */
 export class FigureSum {
-  readonly #sum: wasm.FigureSum;
-  readonly #generation = figuresModule.generation;
+  readonly #sum: Resident<wasm.FigureSum>;
 
   constructor({ name, trials, seed }: FigureOrder) {
-    this.#sum = figuresModule.call(() => new wasm.FigureSum(name, trials, seed));
+    this.#sum = new Resident(figuresModule, () => new wasm.FigureSum(name, trials, seed));
   }
 
   /** Joins the job that comes next; throws where `block` is not that. */
   push(block: Float64Array): void {
-    figuresModule.call(() => this.#sum.push(block));
+    this.#sum.use((sum) => sum.push(block));
   }
 
   read(): FigurePicture {
-    const json = figuresModule.call(() => this.#sum.report());
+    const json = this.#sum.use((sum) => sum.report());
     return { report: JSON.parse(json), json };
   }
 
   /** The text of the command line's CSV file. */
   csv(): string {
-    return figuresModule.call(() => this.#sum.csv());
+    return this.#sum.use((sum) => sum.csv());
   }
 
   free(): void {
-    if (this.#generation === figuresModule.generation) this.#sum.free();
+    this.#sum.free();
   }
 }

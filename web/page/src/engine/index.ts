@@ -16,6 +16,7 @@ export * from "./figures";
 export * from "./indoor";
 export * from "./localize";
 export { type EngineModule, EngineTrap } from "./module";
+export { EngineRestarted } from "./resident";
 export * from "./scene";
 export * from "./studies";
 export * from "./track";
@@ -29,8 +30,3 @@ export const modules = {
   anchorless: anchorlessModule,
   figures: figuresModule,
 };
-
-/** Fresh instances, after a trap. Studies begun in the old ones are lost with them. */
-export function restartEngine(): void {
-  for (const module of Object.values(modules)) module.restart();
-}

@@ -8,6 +8,7 @@ import * as wasm from "../wasm/indoor/rangelab_indoor.js";
 import url from "../wasm/indoor/rangelab_indoor_bg.wasm?url";
 import { rows } from "./decode";
 import { EngineModule } from "./module";
+import { Resident } from "./resident";
 import type { Complaint } from "./track";
 
 export const indoorModule = new EngineModule(wasm, url);
@@ -72,12 +73,7 @@ export function completeIndoor(document: unknown): IndoorScenario {
 
 /** Simulates a trial of the scenario and runs its filters on it. Throws an `Error` with a sentence. */
 export function runIndoor(scenario: IndoorScenario, trial: number): IndoorTrial {
-  const run = indoorModule.call(() => wasm.run_indoor(JSON.stringify(scenario), trial));
-  try {
-    return decode(run);
-  } finally {
-    run.free();
-  }
+  return Resident.once(indoorModule, () => wasm.run_indoor(JSON.stringify(scenario), trial), decode);
 }
 
 function decode(run: wasm.IndoorTrial): IndoorTrial {
@@ -130,23 +126,22 @@ export function indoorBlock(scenario: IndoorScenario, firstTrial: number): Float
 
 /** A study under way: the same bits as the command line's, whoever computed the blocks. */
 export class IndoorSum {
-  readonly #sum: wasm.IndoorSum;
-  readonly #generation = indoorModule.generation;
+  readonly #sum: Resident<wasm.IndoorSum>;
 
   constructor(scenario: IndoorScenario) {
-    this.#sum = indoorModule.call(() => new wasm.IndoorSum(JSON.stringify(scenario)));
+    this.#sum = new Resident(indoorModule, () => new wasm.IndoorSum(JSON.stringify(scenario)));
   }
 
   /** Joins the trials that come next; throws where `block` is not that. */
   push(block: Float64Array): void {
-    indoorModule.call(() => this.#sum.push(block));
+    this.#sum.use((sum) => sum.push(block));
   }
 
   read(): IndoorReport {
-    return JSON.parse(indoorModule.call(() => this.#sum.report()));
+    return JSON.parse(this.#sum.use((sum) => sum.report()));
   }
 
   free(): void {
-    if (this.#generation === indoorModule.generation) this.#sum.free();
+    this.#sum.free();
   }
 }

@@ -5,6 +5,7 @@ import type { RangeNoise, Scenario } from "../scenario";
 import * as wasm from "../wasm/localize/rangelab_localize.js";
 import url from "../wasm/localize/rangelab_localize_bg.wasm?url";
 import { EngineModule } from "./module";
+import { Resident } from "./resident";
 
 export const localizeModule = new EngineModule(wasm, url);
 
@@ -47,24 +48,23 @@ export function localizationBlock({ scenario, sweep, firstTrial, trials }: Sweep
 
 /** A sweep under way: the same bits as the command line's, whoever computed the blocks. */
 export class SweepSum {
-  readonly #sum: wasm.LocalizationSum;
-  readonly #generation = localizeModule.generation;
+  readonly #sum: Resident<wasm.LocalizationSum>;
 
   constructor(scenario: Scenario, sweep: readonly RangeNoise[]) {
     const [text, noises] = [JSON.stringify(scenario), JSON.stringify(sweep)];
-    this.#sum = localizeModule.call(() => new wasm.LocalizationSum(text, noises));
+    this.#sum = new Resident(localizeModule, () => new wasm.LocalizationSum(text, noises));
   }
 
   /** Joins the trials that come next; throws where `block` is not that. */
   push(block: Float64Array): void {
-    localizeModule.call(() => this.#sum.push(block));
+    this.#sum.use((sum) => sum.push(block));
   }
 
   read(): LocalizationReport {
-    return JSON.parse(localizeModule.call(() => this.#sum.report()));
+    return JSON.parse(this.#sum.use((sum) => sum.report()));
   }
 
   free(): void {
-    if (this.#generation === localizeModule.generation) this.#sum.free();
+    this.#sum.free();
   }
 }

@@ -1,4 +1,4 @@
-/** The instance of a module is lost, after a bug in it; `restartEngine` gives a fresh one. */
+/** The instance of a module is lost, after a bug in it; the next call gets a fresh one. */
 export class EngineTrap extends Error {}
 
 const TRAPPED =
@@ -14,6 +14,8 @@ interface Glue {
 export class EngineModule {
   /** Counts restarts: an object of an earlier instance must not reach into the memory of this one. */
   generation = 0;
+  /** Whether the instance trapped. */
+  broken = false;
   #compiled: WebAssembly.Module | null = null;
   #loading: Promise<void> | null = null;
 
@@ -40,22 +42,25 @@ export class EngineModule {
     return this.#compiled;
   }
 
-  /** Calls into the instance; what goes wrong is an `Error` whose message is a sentence. */
+  /** Calls into the instance, a fresh one after a trap; what goes wrong is an `Error` whose message is a sentence. */
   call<T>(call: () => T): T {
+    if (this.broken) this.#restart();
     try {
       return call();
     } catch (error) {
-      if (error instanceof WebAssembly.RuntimeError) throw new EngineTrap(TRAPPED, { cause: error });
+      if (error instanceof WebAssembly.RuntimeError) {
+        this.broken = true;
+        throw new EngineTrap(TRAPPED, { cause: error });
+      }
       if (error instanceof Error) throw error;
       throw new Error(String(error), { cause: error });
     }
   }
 
-  /** A fresh instance, if there is one. */
-  restart(): void {
-    if (this.#compiled === null) return;
-    this.generation += 1;
+  #restart(): void {
     this.glue.__wbg_reset_state();
+    this.generation += 1;
+    this.broken = false;
   }
 
   async #start(module?: WebAssembly.Module): Promise<void> {

@@ -3,6 +3,7 @@ import type { Scenario } from "../scenario";
 import type { AlongRun, AnchorDraws, BudgetCurves, Deviations } from "../study";
 import * as wasm from "../wasm/track/rangelab_track.js";
 import { curve } from "./decode";
+import { Resident } from "./resident";
 import { trackModule } from "./track";
 
 export function budgetBlock(scenario: Scenario, thresholds: Float64Array, firstTrial: number): Float64Array {
@@ -11,33 +12,32 @@ export function budgetBlock(scenario: Scenario, thresholds: Float64Array, firstT
 
 /** What projections cost and give, under way. */
 export class BudgetSum {
-  readonly #sum: wasm.BudgetSum;
-  readonly #generation = trackModule.generation;
+  readonly #sum: Resident<wasm.BudgetSum>;
 
   constructor(
     scenario: Scenario,
     private readonly thresholds: Float64Array,
   ) {
-    this.#sum = trackModule.call(() => new wasm.BudgetSum(JSON.stringify(scenario), thresholds));
+    this.#sum = new Resident(trackModule, () => new wasm.BudgetSum(JSON.stringify(scenario), thresholds));
   }
 
   /** Joins the trials that come next; throws where `block` is not that. */
   push(block: Float64Array): void {
-    trackModule.call(() => this.#sum.push(block));
+    this.#sum.use((sum) => sum.push(block));
   }
 
   read(): BudgetCurves {
-    return trackModule.call(() => ({
-      trials: this.#sum.trials(),
+    return this.#sum.use((sum) => ({
+      trials: sum.trials(),
       thresholds: this.thresholds,
-      projections: curve(this.#sum.projections()),
-      orientation: alongRun(this.#sum.orientation()),
-      angle: alongRun(this.#sum.angle()),
+      projections: curve(sum.projections()),
+      orientation: alongRun(sum.orientation()),
+      angle: alongRun(sum.angle()),
     }));
   }
 
   free(): void {
-    if (this.#generation === trackModule.generation) this.#sum.free();
+    this.#sum.free();
   }
 }
 
@@ -54,45 +54,44 @@ export function drawsBlock(scenario: Scenario, firstDraw: number): Float64Array 
 
 /** Anchors drawn so far. */
 export class DrawList {
-  readonly #list: wasm.DrawList;
-  readonly #generation = trackModule.generation;
+  readonly #list: Resident<wasm.DrawList>;
   readonly #halfWidth: number;
 
   constructor(scenario: Scenario) {
     this.#halfWidth = trackModule.call(() => wasm.draws_half_width(JSON.stringify(scenario)));
-    this.#list = trackModule.call(() => new wasm.DrawList());
+    this.#list = new Resident(trackModule, () => new wasm.DrawList());
   }
 
   push(block: Float64Array): void {
-    trackModule.call(() => this.#list.push(block));
+    this.#list.use((list) => list.push(block));
   }
 
   read(): AnchorDraws {
-    return trackModule.call(() => {
-      const conditions = this.#list.conditions();
+    return this.#list.use((list) => {
+      const conditions = list.conditions();
       return {
-        trials: this.#list.draws(),
+        trials: list.draws(),
         halfWidth: this.#halfWidth,
         fixedCondition: conditions[0] ?? NaN,
         conditions: conditions.subarray(1),
-        bound: this.#deviations(0),
-        filter: this.#deviations(1),
-        constrained: this.#deviations(2),
+        bound: deviations(list, 0),
+        filter: deviations(list, 1),
+        constrained: deviations(list, 2),
       };
     });
   }
 
   free(): void {
-    if (this.#generation === trackModule.generation) this.#list.free();
+    this.#list.free();
   }
+}
 
-  #deviations(of: number): Deviations {
-    const read = (redrawn: boolean) => ({
-      angle: this.#list.angles(of, redrawn),
-      position: this.#list.positions(of, redrawn),
-    });
-    return { fixed: read(false), redrawn: read(true) };
-  }
+function deviations(list: wasm.DrawList, of: number): Deviations {
+  const read = (redrawn: boolean) => ({
+    angle: list.angles(of, redrawn),
+    position: list.positions(of, redrawn),
+  });
+  return { fixed: read(false), redrawn: read(true) };
 }
 
 /** The numbers that these shares (0 to 1) of `numbers` do not exceed; NaN among them is left out. */

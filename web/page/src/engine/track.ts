@@ -8,6 +8,7 @@ import * as wasm from "../wasm/track/rangelab_track.js";
 import url from "../wasm/track/rangelab_track_bg.wasm?url";
 import { decodeRun, decodeStudy } from "./decode";
 import { EngineModule } from "./module";
+import { Resident } from "./resident";
 
 export const trackModule = new EngineModule(wasm, url);
 
@@ -46,12 +47,7 @@ export function complete(document: unknown): Scenario {
 
 /** Simulates trial 0 of the scenario and runs its estimators on it. Throws an `Error` with a sentence. */
 export function track(scenario: Scenario): Run {
-  const run = trackModule.call(() => wasm.track(JSON.stringify(scenario), 0));
-  try {
-    return decodeRun(run);
-  } finally {
-    run.free();
-  }
+  return Resident.once(trackModule, () => wasm.track(JSON.stringify(scenario), 0), decodeRun);
 }
 
 /** What `probability` of the numbers drawn from the distribution lies between, as much of the rest below as above. */
@@ -72,23 +68,22 @@ export function studyBlock(scenario: Scenario, firstTrial: number, trials: numbe
 
 /** A study under way: the same bits as the command line's, whoever computed the blocks. */
 export class StudySum {
-  readonly #sum: wasm.StudySum;
-  readonly #generation = trackModule.generation;
+  readonly #sum: Resident<wasm.StudySum>;
 
   constructor(scenario: Scenario) {
-    this.#sum = trackModule.call(() => new wasm.StudySum(JSON.stringify(scenario)));
+    this.#sum = new Resident(trackModule, () => new wasm.StudySum(JSON.stringify(scenario)));
   }
 
   /** Joins the trials that come next; throws where `block` is not that. */
   push(block: Float64Array): void {
-    trackModule.call(() => this.#sum.push(block));
+    this.#sum.use((sum) => sum.push(block));
   }
 
   read(): StudyCurves {
-    return trackModule.call(() => decodeStudy(this.#sum));
+    return this.#sum.use(decodeStudy);
   }
 
   free(): void {
-    if (this.#generation === trackModule.generation) this.#sum.free();
+    this.#sum.free();
   }
 }

@@ -87,12 +87,28 @@ describe("a figure under way", () => {
     expect(run.done).toBe(3);
   });
 
+  test("is of an earlier order until the first drawing of the new one, not only until its first job", () => {
+    const [fake, run] = start();
+    run.start(A);
+    fake.answer(2);
+    expect(run.stale).toBe(false);
+    run.start({ ...A, seed: 2 });
+    fake.answer(1);
+    expect([run.done, run.stale]).toEqual([1, true]);
+    vi.advanceTimersByTime(1000);
+    fake.answer(1);
+    expect(run.stale).toBe(false);
+    fake.answer(2);
+    expect([run.complete, run.stale]).toEqual([true, false]);
+  });
+
   test("keeps the last good figure where the next one cannot be, and says why", () => {
     const [fake, run] = start();
     run.start(A);
     fake.answer(4);
     run.start({ ...A, trials: 0 });
     expect(run.failure).toBe("0 trials are too few. The figure stays as it was.");
+    expect([run.order?.trials, run.jobs]).toEqual([0, 0]);
     expect(run.picture?.report.trials).toBe(40);
     expect(run.complete).toBe(true);
     run.start(A);
@@ -101,7 +117,7 @@ describe("a figure under way", () => {
     expect(run.failure).toContain("The engine stopped.");
     expect([run.running, fake.open]).toEqual([false, 0]);
     run.start(A);
-    fake.listener.failed("The workers stopped 6 times in a row.");
+    fake.listener.failed("The workers stopped 6 times in a row.", false);
     expect(run.failure).toContain("6 times");
   });
 });

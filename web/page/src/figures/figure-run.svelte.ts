@@ -36,9 +36,11 @@ interface Round {
 export class FigureRun {
   /** The latest picture; it stays until the next one is there. */
   picture: FigurePicture | null = $state.raw(null);
+  /** What the picture was asked for by. */
+  #drawn: FigureOrder | null = $state.raw(null);
   /** The table of a finished figure, as the command line writes it. */
   csv: string | null = $state.raw(null);
-  /** What is computed, or was last. */
+  /** What is computed, or was last, or was refused. */
   order: FigureOrder | null = $state.raw(null);
   jobs = $state(0);
   done = $state(0);
@@ -62,8 +64,15 @@ export class FigureRun {
     return this.csv !== null && !this.running;
   }
 
+  /** Whether the picture is of an earlier order than the one under way. */
+  get stale(): boolean {
+    return this.running && this.#drawn !== this.order;
+  }
+
   start(order: FigureOrder): void {
     this.#end();
+    [this.order, this.jobs, this.done] = [order, 0, 0];
+    [this.cancelled, this.failure] = [false, null];
     this.#guard(() => {
       const jobs = this.tools.jobs(order);
       this.#round = {
@@ -72,8 +81,7 @@ export class FigureRun {
         early: new InOrder(),
         started: performance.now(),
       };
-      [this.order, this.jobs, this.done, this.running] = [order, jobs, 0, true];
-      [this.cancelled, this.failure, this.secondsLeft] = [false, null, null];
+      [this.jobs, this.running] = [jobs, true];
       this.#nextDrawing = 0;
       this.#pool.replace(Array.from({ length: jobs }, (_, job) => ({ order, job })));
     });
@@ -115,6 +123,7 @@ export class FigureRun {
     // Until every curve has a trial there is nothing to see.
     if (!picture || picture.report.trials === 0) return;
     this.picture = picture;
+    this.#drawn = this.order;
     this.csv = null;
     const took = performance.now() - began;
     this.#nextDrawing = performance.now() + Math.max(REFRESH_MS, REFRESH_FACTOR * took);

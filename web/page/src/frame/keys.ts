@@ -1,5 +1,16 @@
 import type { Workspace } from "../state/workspace.svelte";
 
+/** Keys by which a browser scrolls: they are left to what has the focus to be scrolled, and where there is no timeline. */
+const SCROLLING = [" ", "Home", "End"];
+
+/** Whether the element or one around it, short of the page, has more than it shows. */
+function scrolls(element: Element): boolean {
+  for (let each: Element | null = element; each && each !== document.body; each = each.parentElement)
+    if (each.scrollHeight > each.clientHeight && /auto|scroll/.test(getComputedStyle(each).overflowY))
+      return true;
+  return false;
+}
+
 /** Keys that work everywhere, except where the focused control uses them itself. */
 export function globalKeys(event: KeyboardEvent, workspace: Workspace): void {
   const target = event.target instanceof Element ? event.target : document.body;
@@ -7,6 +18,7 @@ export function globalKeys(event: KeyboardEvent, workspace: Workspace): void {
   if (event.ctrlKey || event.metaKey) return historyKeys(event, target, workspace);
   if (event.altKey || target.closest("input, select, textarea")) return;
   if (event.key === " " && target.closest("button, summary")) return;
+  if (SCROLLING.includes(event.key) && (workspace.timeline.count === 1 || scrolls(target))) return;
   const { timeline, session } = workspace;
   const marks = () => (session.run ? session.lab.marks(session.run).flatMap((entry) => entry.steps) : []);
   const actions: Record<string, () => void> = {

@@ -64,6 +64,11 @@ export function plotData({ x, lines }: PlotSpec, scale: ScaleKind): uPlot.Aligne
   ];
 }
 
+/** The estimator that stands out in a plot; none where no line of it is that one's. */
+export function emphasisIn({ lines }: Pick<PlotSpec, "lines">, wanted: string | null): string | null {
+  return lines.some((line) => line.name === wanted) ? wanted : null;
+}
+
 /** Dims every estimator but the one that stands out; bounds are the ruler and stay. */
 export function applyEmphasis(plot: uPlot, { spec, emphasis }: Look): void {
   spec.lines.forEach((line, index) => (plot.series[index + 1].alpha = isFaint(line, emphasis) ? FAINT : 1));
@@ -73,7 +78,7 @@ export function isFaint(line: PlotLine, emphasis: string | null): boolean {
   return emphasis !== null && line.mark !== null && line.name !== emphasis;
 }
 
-/** The unit stands at every number: a row of its own would cost a low plot a tenth of its height. */
+/** Along time the unit at every number says enough; anything else has its name below, which costs a row. */
 function acrossAxis(look: () => Look): uPlot.Axis {
   const { palette } = look();
   const most = (plot: uPlot) => plot.width / (4.5 * palette.fontSize);
@@ -82,7 +87,10 @@ function acrossAxis(look: () => Look): uPlot.Axis {
     size: 1.7 * palette.fontSize,
     splits: (plot, _axis, low, high) => ticks([low, high], look().spec.x.scale, most(plot)),
     filter: (_plot, splits) => splits,
-    values: (_plot, splits) => splits.map((value) => `${tickLabel(value)} ${look().spec.x.unit}`.trim()),
+    values: (_plot, splits) => {
+      const { timed, unit } = look().spec.x;
+      return splits.map((value) => (timed ? `${tickLabel(value)} ${unit}` : tickLabel(value)));
+    },
   };
 }
 

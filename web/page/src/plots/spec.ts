@@ -1,5 +1,6 @@
 import { formatReading } from "../controls/format";
 import type { SceneDocument } from "../family";
+import type { StudyPicture } from "../state/study.svelte";
 import type { Shape } from "../scene/draw-list";
 
 /** One curve of a plot, a number a step; NaN where there is none. */
@@ -112,6 +113,15 @@ export interface PlotSource {
   readonly scenario: SceneDocument;
   /** How many trials were averaged, or null for the one run that is drawn. */
   readonly trials: number | null;
+}
+
+/**
+ * Where the numbers shown come from. A picture that is not stale is of the scenario at hand even where that says more than
+ * was averaged over: a sweep has its own noise, and marks the scenario's.
+ */
+export function sourceOf(picture: StudyPicture | null, stale: boolean, scenario: SceneDocument): PlotSource {
+  if (picture === null) return { scenario, trials: null };
+  return { scenario: stale ? picture.scenario : scenario, trials: picture.averages.trials };
 }
 
 /** How many standard errors the shaded band of an average reaches to either side. */

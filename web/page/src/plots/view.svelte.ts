@@ -16,8 +16,11 @@ export class PlotsView {
   /** The latest choice last: where room is short, it is shown. */
   #recent: string[] = $state([]);
 
-  /** `stored` is where the choices are remembered. */
-  constructor(private readonly stored = "plots") {
+  /** `stored` is where the choices are remembered; `emphasizes` says whether the lab's estimator stands out in them. */
+  constructor(
+    private readonly stored = "plots",
+    readonly emphasizes = true,
+  ) {
     this.#choices = readChoices(stored);
   }
 

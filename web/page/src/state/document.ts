@@ -8,6 +8,9 @@ const MAX_FILE_BYTES = 1024 * 1024;
 /** Its message is a sentence for the student. */
 export class DocumentError extends Error {}
 
+/** What reading the document needs did not come: nothing is known against the document itself. */
+export class NotLoadedError extends DocumentError {}
+
 /** The scenario a document from outside holds; `source` names it in sentences: “This link”, “The file room.json”. */
 export async function readDocument(
   document: unknown,
@@ -16,7 +19,7 @@ export async function readDocument(
 ): Promise<SceneDocument> {
   const lab = labFor(document, source, labs);
   await lab.family.load?.().catch((error: unknown) => {
-    throw new DocumentError(notLoaded(lab, error));
+    throw new NotLoadedError(notLoaded(lab, error));
   });
   const [problem] = lab.family.validate(document);
   if (problem) throw new DocumentError(`${source} holds a scenario that does not work: ${problem.message}.`);

@@ -1,7 +1,7 @@
 import { version } from "../../package.json";
 import type { SceneDocument } from "../family";
 import { sentenceOf } from "./document";
-import { encodeLink } from "./link";
+import { addressOf } from "./link";
 
 /** Browsers tell this as an error where a layout settles one frame later; nothing is wrong. */
 const HARMLESS = /^ResizeObserver loop/;
@@ -23,7 +23,7 @@ export class Faults {
 export async function reportOf(error: unknown, scenario: SceneDocument): Promise<string> {
   return [
     `rangelab ${version}`,
-    `Scenario: ${location.href.split("#")[0]}${await encodeLink(scenario)}`,
+    `Scenario: ${await addressOf(scenario).catch(sentenceOf)}`,
     `Browser: ${navigator.userAgent}, window ${innerWidth} x ${innerHeight}`,
     `Error: ${traceOf(error)}`,
   ].join("\n");

@@ -26,7 +26,8 @@ export class Keeper {
   }
 
   async #write(scenario: SceneDocument): Promise<void> {
-    const link = await encodeLink(scenario);
+    // Without a link the address opens what the storage keeps.
+    const link = await encodeLink(scenario).catch(() => location.pathname + location.search);
     if (scenario === this.#latest) history.replaceState(null, "", link);
   }
 }

@@ -35,6 +35,13 @@ describe("links", () => {
       await expect(decodeLink(whole.slice(0, length))).rejects.toThrow(LinkError);
   });
 
+  test("are not made where they would not be read", async () => {
+    const numbers = Array.from({ length: 3000 }, (_, i) => Math.sqrt(i));
+    await expect(encodeLink({ numbers })).rejects.toThrow(
+      /^A link to this scene would be \d+ characters long/,
+    );
+  });
+
   test("refuse a small link that unpacks to much", async () => {
     const bomb = await encodeLink({ name: "x".repeat(MAX_INFLATED_BYTES) });
     expect(bomb.length).toBeLessThan(MAX_LINK_CHARACTERS);

@@ -7,10 +7,21 @@ export const MAX_INFLATED_BYTES = 64 * 1024;
 /** Its message is a sentence for the student. */
 export class LinkError extends Error {}
 
+/** Throws where the link would be longer than what is read. */
 export async function encodeLink(document: unknown): Promise<string> {
   const bytes = new TextEncoder().encode(JSON.stringify(document));
   const deflated = await collect(through(bytes, new CompressionStream("deflate")), Infinity);
-  return `#v${VERSION}.${toBase64Url(deflated)}`;
+  const hash = `#v${VERSION}.${toBase64Url(deflated)}`;
+  if (hash.length > MAX_LINK_CHARACTERS)
+    throw new LinkError(
+      `A link to this scene would be ${hash.length} characters long; at most ${MAX_LINK_CHARACTERS} are read.`,
+    );
+  return hash;
+}
+
+/** The page's address with the document in it. Throws where that is too long. */
+export async function addressOf(document: unknown): Promise<string> {
+  return location.href.split("#")[0] + (await encodeLink(document));
 }
 
 /** The JSON document of a link. What it means is for the caller to validate. */

@@ -1,8 +1,8 @@
 import * as engine from "../engine";
 import type { Room, SceneDocument } from "../family";
 import { forLab, type Lab, labOf, type LabRun } from "../lab";
-import { lowerFirst } from "../words";
-import { notLoaded, readLink, readText, sentenceOf, textOf } from "./document";
+import { lowerFirst, startOf } from "../words";
+import { notLoaded, readDocument, readLink, readText, sentenceOf, textOf } from "./document";
 import { scheduleCompute } from "./frames";
 import { History } from "./history";
 import { Keeper } from "./keeper";
@@ -27,6 +27,8 @@ export class Session<R extends LabRun = LabRun, S extends SceneDocument = SceneD
   /** What stands in the scene, whatever kind of document it is. */
   readonly room: Room = $derived.by(() => this.lab.family.room(this.scenario));
   run: R | null = $state.raw(null);
+  /** The scenario that the run is of: while one drags, and where a run failed, not the one at hand. */
+  computed: S | null = $state.raw(null);
   /** Why the engine has no run for the scenario; the last good one stays. */
   failure: string | null = $state(null);
   /** Why the last edit, link or file was not taken; gone with the next edit that is. */
@@ -47,11 +49,9 @@ export class Session<R extends LabRun = LabRun, S extends SceneDocument = SceneD
   opened = $state(0);
   readonly #keeper = new Keeper();
   #history: History<Entry<S>>;
-  /** The scenario of the last run. */
-  #good: S | null = null;
   /** How often in a row the engine broke. */
   #traps = 0;
-  /** The last scene of each lab one has been in. */
+  /** The last scene of each family one has been in. */
   #left: Record<string, S> = {};
   #pendingWhat: string | null = "Ready";
   #pendingFit = false;
@@ -121,15 +121,21 @@ export class Session<R extends LabRun = LabRun, S extends SceneDocument = SceneD
   }
 
   #openLab(lab: Lab): void {
-    this.#left[this.lab.name] = this.scenario;
+    this.#left[this.lab.family.name] = this.scenario;
     const kept = lab.family === this.lab.family;
-    const scenario = kept ? this.scenario : (this.#left[lab.name] ?? (lab.preset(lab.firstPreset) as S));
+    const left = this.#left[lab.family.name];
+    const scenario = kept ? this.scenario : (left ?? (lab.preset(lab.firstPreset) as S));
     this.open(`Lab ${lab.title} opened`, forLab(scenario, lab, this.labs));
   }
 
   /** Opens the scenario of a link; a bad one is told in a sentence, leaves the address and changes nothing. */
   openLink(hash: string): Promise<void> {
     return this.#openFrom("the link", () => readLink(hash, this.labs));
+  }
+
+  /** Opens a scenario that stands elsewhere on the page. */
+  openDocument(document: unknown, source: string): Promise<void> {
+    return this.#openFrom(source, () => readDocument(document, startOf(source), this.labs));
   }
 
   /** Opens the scenario of a JSON file. */
@@ -144,12 +150,15 @@ export class Session<R extends LabRun = LabRun, S extends SceneDocument = SceneD
     return this.openPreset(this.lab.firstPreset);
   }
 
+  /** An edit in progress ends first; one that leaves a bad scenario is all that is taken back. */
   undo(): void {
+    if (this.previewing && !this.#settle()) return this.#openWaiting();
     const undone = this.#history.undo();
     if (undone) this.#travel(`Undone: ${lowerFirst(undone.what)}`);
   }
 
   redo(): void {
+    if (this.previewing && !this.#settle()) return this.#openWaiting();
     const redone = this.#history.redo();
     if (redone) this.#travel(`Done again: ${lowerFirst(redone.what)}`);
   }
@@ -178,6 +187,11 @@ export class Session<R extends LabRun = LabRun, S extends SceneDocument = SceneD
   #loadShown(): void {
     const { lab } = this;
     const standIn = (error: unknown) => {
+      // Undo led back to a lab that never came: where it led from stands yet.
+      if (this.#history.redo()) {
+        this.#show();
+        return this.refuse(`${notLoaded(lab, error)} The lab ${this.lab.title} stays.`);
+      }
       const [first] = this.labs;
       this.#history = new History({ scenario: first.preset(first.firstPreset) as S, what: "Opened" });
       this.#show();
@@ -245,7 +259,10 @@ export class Session<R extends LabRun = LabRun, S extends SceneDocument = SceneD
     this.scenario = this.#history.present.scenario;
     const lab = labOf(this.scenario, this.labs) ?? this.lab;
     // A run means nothing to another lab than its own.
-    if (lab !== this.lab) this.run = null;
+    if (lab !== this.lab) {
+      this.run = null;
+      this.lab.leave?.();
+    }
     this.lab = lab;
     this.selected = existing(this, this.selected);
     this.ready = this.loader.has(lab);
@@ -266,7 +283,7 @@ export class Session<R extends LabRun = LabRun, S extends SceneDocument = SceneD
     try {
       this.run = this.lab.compute(this.scenario) as R;
       this.failure = null;
-      this.#good = this.scenario;
+      this.computed = this.scenario;
       this.#traps = 0;
     } catch (error) {
       if (error instanceof engine.EngineTrap) return void this.#recover(error);
@@ -275,7 +292,7 @@ export class Session<R extends LabRun = LabRun, S extends SceneDocument = SceneD
     this.#tell();
   };
 
-  /** A fresh engine gets the scenario again; one that breaks over it too gets the last good one. */
+  /** The engine starts afresh and gets the scenario again; one that breaks over it too gets the last good one. */
   async #recover(error: unknown): Promise<void> {
     this.#traps += 1;
     reportError(error);
@@ -283,8 +300,7 @@ export class Session<R extends LabRun = LabRun, S extends SceneDocument = SceneD
       this.failure = "The engine stops at every scene. Reload the page; the scene is kept.";
       return;
     }
-    // At once: the page may ask it before the next frame. What follows waits for the task that broke to end.
-    engine.restartEngine();
+    // What follows waits for the task that broke to end.
     await Promise.resolve();
     if (this.#traps > 1) this.#retreat();
     scheduleCompute(this.#compute);
@@ -293,7 +309,7 @@ export class Session<R extends LabRun = LabRun, S extends SceneDocument = SceneD
   #retreat(): void {
     this.#history.discard();
     const { lab } = this;
-    const good = this.#good ?? (forLab(lab.preset(lab.firstPreset), lab, this.labs) as S);
+    const good = this.computed ?? (forLab(lab.preset(lab.firstPreset), lab, this.labs) as S);
     if (this.#history.present.scenario !== good)
       this.#history.edit({ scenario: good, what: "Back to a scene the engine can compute" });
     this.#show();

@@ -1,10 +1,10 @@
 import { beforeEach, expect, test, vi } from "vitest";
-import type { Family } from "../family";
-import type { Lab } from "../lab";
+import type { Family, SceneDocument } from "../family";
+import type { Lab, LabRun } from "../lab";
 import type { Scenario } from "../scenario";
 import { Session } from "./session.svelte";
 
-/** An engine that takes seeds below 100, and breaks over those in `deadly` until it is restarted. */
+/** An engine that takes seeds below 100 and breaks over those in `deadly`; the next call finds it started again. */
 const fake = vi.hoisted(() => ({ deadly: new Set<number>(), broken: false, restarts: 0, once: false }));
 
 vi.mock("../engine", () => {
@@ -13,12 +13,9 @@ vi.mock("../engine", () => {
     EngineTrap,
     validate: ({ seed }: Scenario) => (seed < 100 ? [] : [{ message: `seed is ${seed}` }]),
     complete: (document: Scenario) => document,
-    restartEngine: () => {
-      [fake.broken, fake.restarts] = [false, fake.restarts + 1];
-      return Promise.resolve();
-    },
     track: ({ seed }: Scenario) => {
-      fake.broken ||= fake.deadly.has(seed);
+      if (fake.broken) fake.restarts += 1;
+      fake.broken = fake.deadly.has(seed);
       if (fake.once) fake.deadly.delete(seed);
       if (fake.broken) throw new EngineTrap("trapped");
       return { steps: 1, seed };
@@ -114,6 +111,40 @@ test("a file that comes during a drag waits for its end", async () => {
   expect([session.scenario.seed, session.undoes]).toEqual([4, "Dragged"]);
 });
 
+test("undo in the middle of a drag takes the drag back, a bad one and nothing else", async () => {
+  const session = await open();
+  session.edit("Seed set to 2", scenario(2));
+  session.preview("Dragged", scenario(3));
+  session.undo();
+  expect([session.scenario.seed, session.redoes]).toEqual([2, "Dragged"]);
+  session.preview("Dragged badly", scenario(100));
+  session.undo();
+  expect([session.scenario.seed, session.undoes, session.redoes]).toEqual([2, "Seed set to 2", "Dragged"]);
+  session.preview("Dragged badly", scenario(100));
+  session.redo();
+  expect([session.scenario.seed, session.undoes]).toEqual([2, "Seed set to 2"]);
+  expect(session.refusal).toContain("seed is 100");
+  await settle();
+});
+
+test("the run is known to be of the scenario, or of an earlier one", async () => {
+  const session = await open();
+  expect(session.computed).toBe(session.scenario);
+  session.preview("Dragged", scenario(3));
+  expect([session.computed?.seed, seedOf(session)]).toEqual([1, 1]);
+  await settle();
+  expect([session.computed, seedOf(session)]).toEqual([session.scenario, 3]);
+});
+
+test("a document from elsewhere on the page opens as one edit, a bad one is refused by its name", async () => {
+  const session = await open();
+  await session.openDocument(scenario(9), "figure two");
+  expect([session.scenario.seed, session.undoes]).toEqual([9, "Scenario opened from figure two"]);
+  await session.openDocument(scenario(100), "figure two");
+  expect(session.scenario.seed).toBe(9);
+  expect(session.refusal).toMatch(/^Figure two holds a scenario that does not work: seed is 100/);
+});
+
 test("an engine that broke once is started again and computes the same scenario", async () => {
   const session = await open();
   fake.deadly.add(5);
@@ -149,16 +180,32 @@ test("a first scene that breaks the engine gives way to the preset, and a hopele
 
 test("a lab of the same family takes the scene along, another one opens a scene of its own", async () => {
   const [one] = await labs();
-  const cousin = { ...one, name: "cousin" };
+  const leave = vi.fn();
+  const cousin = { ...one, name: "cousin", leave };
   const stranger = { ...one, name: "stranger", family: await familyOf("other") };
   const session = new Session(scenario(7), [one, cousin, stranger]);
   session.openLab(cousin);
   expect([session.lab.name, session.scenario.seed]).toEqual(["cousin", 7]);
   session.edit("Seed set to 8", { ...session.scenario, seed: 8 });
+  expect(leave).not.toHaveBeenCalled();
   session.openLab(stranger);
   expect([session.lab.name, session.scenario.seed]).toEqual(["stranger", 0]);
+  expect(leave).toHaveBeenCalledTimes(1);
   session.openLab(cousin);
   expect([session.lab.name, session.scenario.seed]).toEqual(["cousin", 8]);
+  await settle();
+});
+
+test("a detour over another family leads back to the scene, in whichever lab of its own family", async () => {
+  const [one] = await labs();
+  const cousin = { ...one, name: "cousin" };
+  const stranger = { ...one, name: "stranger", family: await familyOf("other") };
+  const session = new Session(scenario(7), [one, cousin, stranger]);
+  session.openLab(cousin);
+  session.edit("Seed set to 8", { ...session.scenario, seed: 8 });
+  session.openLab(stranger);
+  session.openLab(one);
+  expect([session.lab.name, session.scenario.seed]).toEqual(["one", 8]);
   await settle();
 });
 
@@ -211,4 +258,21 @@ test("a page that opens in a lab waits for it, and opens as without a link where
   await settle();
   expect([stranded.lab.name, stranded.ready, seedOf(stranded)]).toEqual(["one", true, 0]);
   expect(stranded.refusal).toContain("The default scene is shown instead");
+});
+
+test("undo into a lab that never came goes back to where it was, with all that was done there", async () => {
+  const { all, late, fail } = await withLateLab();
+  const session = new Session<LabRun, SceneDocument>({ ...scenario(3), view: { lab: "late" } }, all);
+  session.openLab(all[0]);
+  session.edit("Seed set to 4", { ...session.scenario, seed: 4 });
+  session.undo();
+  fail();
+  await settle();
+  session.undo();
+  expect([session.lab, session.ready]).toEqual([late, false]);
+  fail();
+  await settle();
+  expect([session.lab.name, session.scenario.seed, session.ready]).toEqual(["one", 3, true]);
+  expect(session.redoes).toBe("Seed set to 4");
+  expect(session.refusal).toBe("The lab Late could not be loaded (No network). The lab One stays.");
 });

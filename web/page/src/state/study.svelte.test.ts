@@ -1,4 +1,5 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
+import { EngineRestarted } from "../engine";
 import type { Scenario } from "../scenario";
 import type { Block, Sums } from "../workers/messages";
 import type { PoolListener } from "../workers/pool";
@@ -18,6 +19,8 @@ class Fake {
   queue: Block[] = [];
   held = false;
   open = 0;
+  /** Which engine it is since the last restart. */
+  engine = 0;
 
   openPool = (listener: PoolListener<Block, Sums>) => {
     this.listener = listener;
@@ -39,10 +42,12 @@ class Fake {
   }
   openSum(perBlock: number) {
     this.open += 1;
+    const born = this.engine;
     const pushed: number[] = [];
     return {
       push: (block: Float64Array) => {
         if (Number.isNaN(block[0])) throw new Error("The engine stopped.");
+        if (born !== this.engine) throw new EngineRestarted();
         pushed.push(block[0]);
       },
       read: () => ({ trials: pushed.length * perBlock, pushed }),
@@ -144,6 +149,17 @@ describe("the study", () => {
     expect(study.picture?.scenario).toBe(A);
     study.proceed();
     expect([study.failure, fake.queue.length]).toEqual([null, MOST_TRIALS / TRIALS_PER_BLOCK]);
+  });
+
+  test("begins anew where the engine was started again meanwhile", () => {
+    const [fake, study] = start();
+    study.follow(fake.subject(A), false);
+    fake.answer(3);
+    fake.engine += 1;
+    fake.answer(1);
+    expect([study.failure, study.trials, fake.queue[0].firstTrial, fake.open]).toEqual([null, 0, 0, 1]);
+    fake.answer(FIRST_PICTURE / TRIALS_PER_BLOCK);
+    expect(shown(study).trials).toBe(FIRST_PICTURE);
   });
 
   test("what is dragged is sketched first, what the picture is of already is not", () => {

@@ -1,3 +1,4 @@
+import { EngineRestarted } from "../engine";
 import type { SceneDocument } from "../family";
 import { InOrder } from "../workers/in-order";
 import type { Block, Sums } from "../workers/messages";
@@ -186,11 +187,12 @@ export class Study {
     this.secondsLeft = ((subject.plan.most - this.trials) * elapsed) / this.trials / 1000;
   }
 
-  /** An engine that trapped says so in a sentence; the page goes on. */
+  /** An engine that trapped says so in a sentence; one that was started again meanwhile counts from the first trial. */
   #guard(work: () => void): void {
     try {
       work();
     } catch (error) {
+      if (error instanceof EngineRestarted) return this.#begin();
       this.#pool.replace([]);
       this.#fail(error instanceof Error ? error.message : String(error));
     }

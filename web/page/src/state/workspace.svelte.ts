@@ -46,10 +46,13 @@ export class Workspace<R extends LabRun = LabRun, S extends SceneDocument = Scen
   hovered: Thing | null = $state(null);
   /** The line of sight through the pointer, while it is over the scene of a lab with a field. */
   ray: Ray | null = $state.raw(null);
-  /** Averages over many trials, while the plots show them, the lab that they are of, and whether they are over time. */
-  averages: { lab: Lab; picture: StudyPicture; overTime: boolean } | null = $state.raw(null);
-  /** The one estimator that stands out in the plots, or null. */
-  emphasis: string | null = $state(null);
+  /**
+   * Averages over many trials, while the plots show them: the lab that they are of, whether they are over time, and
+   * whether of an earlier scenario.
+   */
+  averages: { lab: Lab; picture: StudyPicture; overTime: boolean; stale: boolean } | null = $state.raw(null);
+  /** The one estimator that stands out, and the lab that it is of. */
+  #emphasized: { lab: Lab; name: string } | null = $state.raw(null);
 
   /** How much room there is: it decides where the numbers stand. */
   get room(): "narrow" | "medium" | "wide" {
@@ -75,6 +78,11 @@ export class Workspace<R extends LabRun = LabRun, S extends SceneDocument = Scen
     return shown?.lab === this.lab && shown.overTime === overTime ? shown.picture : null;
   }
 
+  /** Whether the averages shown are of an earlier scenario: new ones are on their way. */
+  get studyStale(): boolean {
+    return this.study !== null && this.averages!.stale;
+  }
+
   constructor(
     readonly session: Session<R, S>,
     themeChoice: ThemeChoice,
@@ -82,9 +90,14 @@ export class Workspace<R extends LabRun = LabRun, S extends SceneDocument = Scen
     this.themeChoice = themeChoice;
   }
 
+  /** The one estimator that stands out in the plots, or null. */
+  get emphasis(): string | null {
+    return this.#emphasized?.lab === this.lab ? this.#emphasized.name : null;
+  }
+
   /** Lets an estimator stand out, or all be equal again. */
   emphasize(name: string): void {
-    this.emphasis = this.emphasis === name ? null : name;
+    this.#emphasized = this.emphasis === name ? null : { lab: this.lab, name };
   }
 
   setTheme(choice: ThemeChoice): void {

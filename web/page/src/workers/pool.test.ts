@@ -54,7 +54,7 @@ function start(size: number) {
         expect(sums[0]).toBe(block.firstTrial);
         done.push(block.firstTrial);
       },
-      failed: (sentence) => failures.push(sentence),
+      failed: (sentence, refused) => failures.push(refused ? `Refused: ${sentence}` : sentence),
     },
   );
   return { pool, workers, done, failures };
@@ -141,7 +141,7 @@ describe("the pool", () => {
     const { pool, workers, failures } = start(1);
     pool.replace(blocks(3));
     workers[0].answer({ kind: "refused", sentence: "No anchor." });
-    expect(failures).toEqual(["No anchor."]);
+    expect(failures).toEqual(["Refused: No anchor."]);
     expect(workers[0].blocks).toHaveLength(1);
   });
 

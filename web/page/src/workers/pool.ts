@@ -12,8 +12,8 @@ export interface PoolWorker<Job, Result> {
 /** What the pool tells: results come in any order, those of an older list never. */
 export interface PoolListener<Job, Result> {
   done(job: Job, result: Result): void;
-  /** The work has ended, with the reason as a sentence. */
-  failed(sentence: string): void;
+  /** The work has ended, with the reason as a sentence: the job was refused, or workers could not be kept alive. */
+  failed(sentence: string, refused: boolean): void;
 }
 
 /** Losses without a success in between that are taken as bad luck, for each worker. */
@@ -63,6 +63,7 @@ export class WorkerPool<Job extends object, Result> {
     this.#advance();
   }
 
+  /** Ends the workers and what they do; the next jobs start others. */
   close(): void {
     this.#queue = [];
     for (const slot of this.#slots.splice(0)) this.#dismiss(slot);
@@ -108,7 +109,7 @@ export class WorkerPool<Job extends object, Result> {
     this.#longest = Math.max(this.#longest, performance.now() - slot.since);
     if (!this.#abandoned.has(job)) {
       if (answer.kind === "done") this.listener.done(job, answer.result);
-      else this.#giveUp(answer.sentence);
+      else this.#giveUp(answer.sentence, true);
     }
     this.#advance();
   }
@@ -121,12 +122,12 @@ export class WorkerPool<Job extends object, Result> {
     if (slot.job && !this.#abandoned.has(slot.job)) this.#queue.unshift(slot.job);
     this.#losses += 1;
     if (this.#losses < LOSSES * this.size) this.#advance();
-    else this.#giveUp(`The workers stopped ${this.#losses} times in a row.`);
+    else this.#giveUp(`The workers stopped ${this.#losses} times in a row.`, false);
   }
 
-  #giveUp(sentence: string): void {
+  #giveUp(sentence: string, refused: boolean): void {
     this.replace([]);
-    this.listener.failed(sentence);
+    this.listener.failed(sentence, refused);
   }
 
   #dismiss({ worker, timer }: Slot<Job, Result>): void {

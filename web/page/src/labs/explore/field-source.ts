@@ -19,4 +19,6 @@ export interface Refiner {
   /** Tells each field as it is found, from coarse to fine; what was asked for before is dropped. */
   refine(scenario: Scenario, resolutions: readonly number[], found: (field: Field) => void): void;
   cancel(): void;
+  /** Cancels and lets go of what only refining needs; it can be asked again. */
+  close(): void;
 }

@@ -30,6 +30,11 @@ export class FieldStore {
     const finer = RESOLUTIONS.filter((other) => other > resolution);
     this.refiner.refine(scenario, finer, (field) => (this.field = field));
   }
+
+  /** Nobody looks at it for now. */
+  close(): void {
+    this.refiner.close();
+  }
 }
 
 /** The finest that fits, as each has four times the cells of the one before; the first one is fine enough. */

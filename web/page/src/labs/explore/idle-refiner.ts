@@ -49,6 +49,10 @@ export class IdleRefiner implements Refiner {
     this.#pending = null;
   }
 
+  close(): void {
+    this.cancel();
+  }
+
   #later(task: () => void): void {
     this.#pending = this.idle.request(task);
   }

@@ -37,6 +37,10 @@ export const lab: Lab<ExploreRun, Scenario> = {
     nextSearch.show(scenario);
     return run;
   },
+  leave() {
+    fields.close();
+    nextSearch.close();
+  },
   shows: "Anchors, body and the field of its bound in space",
   layers: [
     ground,

@@ -3,7 +3,7 @@ import type { NextPlace } from "../../generated/NextPlace";
 import type { Scenario } from "../../scenario";
 import type { BestNext, Scene } from "../../workers/messages";
 import type { PoolListener } from "../../workers/pool";
-import { GRACE, NextSearch, type OpenPool } from "./next-search.svelte";
+import { GRACE, NextSearch, type OpenPool, PATIENCE } from "./next-search.svelte";
 
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => void vi.useRealTimers());
@@ -15,9 +15,10 @@ const placeOf = ({ seed }: Scenario) => ({ point: [seed] }) as NextPlace;
 function setup(open?: OpenPool) {
   let listener!: PoolListener<Scene, BestNext>;
   let jobs: readonly Scene[] = [];
+  let closed = 0;
   const pool: OpenPool = (told) => {
     listener = told;
-    return { replace: (next) => void (jobs = next) };
+    return { replace: (next) => void (jobs = next), close: () => void (closed += 1) };
   };
   const alone = vi.fn(placeOf);
   const search = new NextSearch(open ?? pool, alone);
@@ -25,7 +26,9 @@ function setup(open?: OpenPool) {
     search,
     alone,
     answer: (asked: Scenario) => listener.done({ scenario: asked }, { place: placeOf(asked) }),
-    fail: () => listener.failed("The workers stopped."),
+    fail: () => listener.failed("The workers stopped.", false),
+    refuse: () => listener.failed("No place.", true),
+    closed: () => closed,
     jobs: () => jobs,
   };
 }
@@ -63,6 +66,39 @@ test("nothing is searched where the field shows something else", () => {
   answer(asked);
   expect([search.place, search.searching]).toEqual([null, false]);
   expect(jobs()).toEqual([{ scenario: asked }]);
+});
+
+test("a search that takes long ends where another one is wanted, or none", () => {
+  const { search, answer, closed } = setup();
+  const [first, second, third] = [1, 2, 3].map((seed) => scenario(seed));
+  search.show(first);
+  vi.advanceTimersByTime(PATIENCE - 1);
+  search.show(second);
+  expect(closed()).toBe(0);
+  vi.advanceTimersByTime(2);
+  search.show(third);
+  expect(closed()).toBe(1);
+  answer(third);
+  vi.advanceTimersByTime(2 * PATIENCE);
+  search.show(first);
+  expect(closed()).toBe(1);
+  search.close();
+  expect([closed(), search.place, search.searching]).toEqual([2, null, false]);
+  search.show(scenario(4, "body"));
+  expect(closed()).toBe(3);
+});
+
+test("where the engine refuses the scenario there is no place, and workers are asked again", () => {
+  const { search, alone, refuse, answer, jobs } = setup();
+  search.show(scenario(1));
+  refuse();
+  expect([search.place, search.searching]).toEqual([null, false]);
+  const next = scenario(2);
+  search.show(next);
+  expect(jobs()).toEqual([{ scenario: next }]);
+  answer(next);
+  expect(search.place?.point).toEqual([2]);
+  expect(alone).not.toHaveBeenCalled();
 });
 
 test("without workers the page searches itself, now and from then on", () => {

@@ -13,7 +13,8 @@ export type OpenPool = (listener: PoolListener<Search, Improvement>) => PoolLike
 
 /** What a search is for: the scenario as it is when it ends, and who takes the anchors found. */
 export interface Seeker {
-  current(): Scenario;
+  /** Null where the page shows another kind of document. */
+  current(): Scenario | null;
   /** Called at most once, with anchors that are better than those of the scenario. */
   apply(best: Improvement): void;
 }
@@ -52,6 +53,7 @@ export class PlacementSearch {
   /** Searches anew; a search under way is dropped. */
   start(seeker: Seeker): void {
     const scenario = seeker.current();
+    if (scenario === null) return;
     const wanted = this.restarts;
     this.#pool?.close();
     this.#round = { key: keyOf(scenario), wanted, seeker };
@@ -75,7 +77,8 @@ export class PlacementSearch {
   #merge(found: Improvement): void {
     const round = this.#round;
     if (!round) return;
-    if (keyOf(round.seeker.current()) !== round.key)
+    const scenario = round.seeker.current();
+    if (scenario === null || keyOf(scenario) !== round.key)
       return this.#end("The scene has changed: the search was stopped.");
     this.done += 1;
     if (isBetter(found, this.#best)) this.#best = found;
@@ -91,11 +94,11 @@ export class PlacementSearch {
   }
 
   #end(sentence: string): void {
-    const problem = this.#round ? problemOf(this.#round.seeker.current()) : "";
     this.#pool?.close();
+    const scenario = this.#round?.seeker.current() ?? null;
     this.#round = null;
     this.running = false;
-    this.#outcome = { sentence, problem };
+    this.#outcome = { sentence, problem: scenario === null ? "" : problemOf(scenario) };
   }
 }
 

@@ -21,11 +21,11 @@ function setup(restarts = 3, start = scene(0)) {
   });
   search.restarts = restarts;
   const applied: Improvement[] = [];
-  const state = { scenario: start };
+  const state: { scenario: Scenario | null } = { scenario: start };
   const seek = () => search.start({ current: () => state.scenario, apply: (best) => applied.push(best) });
   const find = (restart: number, after: number | null, before: number | null = 2) =>
     listener.done(
-      { scenario: state.scenario, restart },
+      { scenario: start, restart },
       { restart, unit: "m", before, after, cause: null, anchors: [[after ?? 0], [9]] },
     );
   return {
@@ -35,7 +35,7 @@ function setup(restarts = 3, start = scene(0)) {
     seek,
     find,
     queue: () => queue,
-    fail: (text: string) => listener.failed(text),
+    fail: (text: string) => listener.failed(text, true),
   };
 }
 
@@ -96,7 +96,16 @@ describe("the search", () => {
     state.scenario = scene(5);
     find(0, 1);
     expect(applied).toEqual([]);
-    expect(search.outcomeFor(state.scenario)).toContain("has changed");
+    expect(search.outcomeFor(scene(5))).toContain("has changed");
+  });
+
+  test("a document of another kind meanwhile ends it: its workers rest and nothing is said", () => {
+    const { search, applied, state, seek, find, queue } = setup(2);
+    seek();
+    state.scenario = null;
+    find(0, 1);
+    expect([applied, queue(), search.running]).toEqual([[], [], false]);
+    expect(search.outcomeFor(scene(0))).toBe("");
   });
 
   test("started again it begins at nothing", () => {

@@ -15,15 +15,20 @@ function setup(open?: OpenPool) {
   let listener!: PoolListener<FieldRows, RowValues>;
   let jobs: FieldRows[] = [];
   const lists: number[] = [];
+  let closed = 0;
   const found: Field[] = [];
   const idle: [number, readonly number[]][] = [];
   const pool: OpenPool = (told) => {
     listener = told;
-    return { replace: (next) => void (lists.push(next.length), (jobs = [...next])), close: () => undefined };
+    return {
+      replace: (next) => void (lists.push(next.length), (jobs = [...next])),
+      close: () => void (closed += 1),
+    };
   };
   const fallback: Refiner = {
     refine: ({ seed }, resolutions) => void idle.push([seed, resolutions]),
     cancel: () => undefined,
+    close: () => undefined,
   };
   const layout = (_: Scenario, width: number) => ({
     corner: [0, 0, 0] as [number, number, number],
@@ -43,7 +48,10 @@ function setup(open?: OpenPool) {
     );
   return {
     refine: (seed: number) => refiner.refine(scenario(seed), [128, 256], (field) => found.push(field)),
-    fail: () => listener.failed("The workers stopped."),
+    fail: () => listener.failed("The workers stopped.", false),
+    refuse: () => listener.failed("No field.", true),
+    close: () => refiner.close(),
+    closed: () => closed,
     answer,
     jobs: () => jobs,
     lists,
@@ -105,6 +113,31 @@ test("the next scenario drops what is under way; a late answer is not told", () 
     [2, 128],
     [2, 256],
   ]);
+});
+
+test("where the engine refuses the field it stays coarse, and workers are asked for the next one", () => {
+  const { refine, refuse, jobs, found, idle } = setup();
+  refine(1);
+  vi.advanceTimersByTime(REST);
+  refuse();
+  refine(2);
+  vi.advanceTimersByTime(REST);
+  expect([found, idle]).toEqual([[], []]);
+  expect(jobs().every((job) => job.scenario.seed === 2)).toBe(true);
+});
+
+test("where nobody looks the workers end, and come again", () => {
+  const { refine, close, closed, answer, jobs, found } = setup();
+  refine(1);
+  vi.advanceTimersByTime(REST);
+  const old = jobs();
+  close();
+  old.forEach(answer);
+  expect([closed(), found]).toEqual([1, []]);
+  refine(2);
+  vi.advanceTimersByTime(REST);
+  jobs().forEach(answer);
+  expect(told(found).at(-1)).toEqual([2, 256]);
 });
 
 test("where workers stop, what is missing is computed in idle moments, and so is all that follows", () => {

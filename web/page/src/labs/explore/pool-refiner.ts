@@ -55,12 +55,18 @@ export class PoolRefiner implements Refiner {
     this.#round = null;
   }
 
+  close(): void {
+    this.cancel();
+    this.#pool?.close();
+  }
+
   #begin(round: Round): void {
     round.grids = round.resolutions.map((resolution) => this.#grid(round.scenario, resolution));
     try {
       this.#pool ??= this.open({
         done: (job, values) => this.#merge(job, values),
-        failed: () => this.#giveUp(),
+        // A field that is refused stays as coarse as it is.
+        failed: (_, refused) => (refused ? this.cancel() : this.#giveUp()),
       });
       this.#pool.replace(round.grids.flatMap(jobsOf));
     } catch {

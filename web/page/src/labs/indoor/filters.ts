@@ -84,7 +84,6 @@ export const GROUPS: readonly FilterGroup[] = [
 ];
 
 export const FILTERS: readonly Filter[] = GROUPS.flatMap(({ filters }) => filters);
-export const ORDER = FILTERS.map(({ name }) => name);
 
 /** Enough to tell where the gain comes from. */
 export const SHOWN_FIRST: readonly FilterName[] = ["ekf", "ekf-retraction", "ekf-rie", "mekf"];

@@ -5,7 +5,7 @@ import type { Scenario } from "../../scenario";
 import type { SweepBlock } from "../../workers/messages";
 import { poseIn } from "./cloud";
 import { unseenMirrors } from "./layers";
-import { LOCALIZERS, ORDER } from "./localizers";
+import { LOCALIZERS } from "./localizers";
 import { sweepPlots } from "./plots";
 import { boundReadings, localizerReadings } from "./readings";
 import { runOf } from "./run";
@@ -22,7 +22,7 @@ const paper = (zeta_db: number, changes: Partial<Scenario["localize"]> = {}): Sc
 
 describe("localizers", () => {
   test("are those of the engine, each with a look of its own but for the one that equals another", () => {
-    expect(preset("room").localize.enabled.toSorted()).toEqual(ORDER.toSorted());
+    expect(preset("room").localize.enabled.toSorted()).toEqual(LOCALIZERS.map(({ name }) => name).toSorted());
     const looks = LOCALIZERS.filter(({ name }) => name !== "suc-tls").map(({ token, mark }) => token + mark);
     expect(new Set(looks).size).toBe(looks.length);
   });

@@ -56,8 +56,6 @@ export const LOCALIZERS: readonly Localizer[] = [
   },
 ];
 
-export const ORDER = LOCALIZERS.map(({ name }) => name);
-
 export function lookOf(name: LocalizerName): Localizer {
   return LOCALIZERS.find((localizer) => localizer.name === name) ?? LOCALIZERS[0];
 }

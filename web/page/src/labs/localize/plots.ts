@@ -122,7 +122,7 @@ export function sweepPlots(
 function axis(values: Float64Array, scenario: Scenario, run: LocalizeRun): PlotAxis {
   const range = medianRange({ ...run, anchors: scenario.anchors });
   return {
-    name: "ζ",
+    name: "signal to noise ζ",
     unit: "dB",
     values,
     scale: "linear",

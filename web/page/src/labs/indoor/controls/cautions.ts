@@ -60,7 +60,7 @@ export function onRanges(sigma: number, beacons: number): Caution {
 export function onPrior(prior: StartPrior): Caution {
   if (prior.kind === "tangent")
     return {
-      text: "Only turns are uncertain, nine entries of R never apart: P₀ = σ² J Jᵀ.",
+      text: "Only turns are uncertain, nine entries of R never apart: P₀ = σ² J Jᵀ, J how they change with a small turn.",
       warning: false,
     };
   const large = prior.variance > 1e-3;

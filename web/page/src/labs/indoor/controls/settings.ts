@@ -40,7 +40,7 @@ export const MISSING = missing("ranging.missing_probability", "Missing ranges");
 
 export const VARIANCE: NumberSetting = {
   path: "start.prior.variance",
-  label: "Variance P_0",
+  label: "Variance c",
   unit: "",
   scale: { min: 1e-8, max: 1, log: true },
 };
