@@ -159,18 +159,7 @@ impl fmt::Display for Error {
             Self::TooFew { what, counted, found, needed, reason } => {
                 write!(f, "{what} needs at least {needed} {counted}, and there are {found}. {reason}")
             }
-            Self::PairTooFew { what, pair: (a, b), found, needed } => {
-                let (a, b) = (a + 1, b + 1);
-                write!(
-                    f,
-                    "{what} needs the distance between nodes {a} and {b} at {needed} different stamps, and "
-                )?;
-                match found {
-                    0 => f.write_str("those two never measured it"),
-                    1 => f.write_str("those two measured it at one only"),
-                    _ => write!(f, "those two measured it at {found} only"),
-                }
-            }
+            Self::PairTooFew { what, pair, found, needed } => pair_too_few(f, what, *pair, [*found, *needed]),
             Self::Degenerate { what, value, reason } => {
                 write!(f, "{what} is not determined ({value:e}). {reason}")
             }
@@ -188,6 +177,22 @@ impl fmt::Display for Error {
                 write!(f, "no {what} is called \"{name}\"; there are: {known}")
             }
         }
+    }
+}
+
+/// People count nodes from 1.
+fn pair_too_few(
+    f: &mut fmt::Formatter<'_>,
+    what: &str,
+    (a, b): (usize, usize),
+    [found, needed]: [usize; 2],
+) -> fmt::Result {
+    let (a, b) = (a + 1, b + 1);
+    write!(f, "{what} needs the distance between nodes {a} and {b} at {needed} different stamps, and ")?;
+    match found {
+        0 => f.write_str("those two never measured it"),
+        1 => f.write_str("those two measured it at one only"),
+        _ => write!(f, "those two measured it at {found} only"),
     }
 }
 

@@ -17,9 +17,9 @@ import { evidenceOf, gaugeOf, placed, placedBack, seen, turned, turnedBack, with
 import { handles } from "./handles";
 import { arrowSeconds, hintOf, ERRORS } from "./hints";
 import { plots } from "./plots";
-import { boundReadings, runReadings } from "./readings";
+import { boundReadings, runReadings, studyReadings } from "./readings";
 import { runOf } from "./run";
-import { sweep } from "./sweep";
+import { averagesAt, sweep } from "./sweep";
 
 beforeAll(loadEngineForTests);
 
@@ -142,6 +142,31 @@ describe("a run", () => {
       expect(bounds.map(({ errors }) => errors.length)).toEqual([3, 3]);
       expect(told(run).length, name).toBeGreaterThan(60);
       expect(run.covariances("distances", 0)).toHaveLength(run.anchors.length * run.dimension ** 2);
+      expect(run.tipCovariances("accelerometers", 1)).toHaveLength(run.anchors.length * run.dimension ** 2);
+    }
+  });
+
+  test("stands beside its bounds at each instant, those of what is switched on", () => {
+    const scenario = { ...paper(), estimators: { ...paper().estimators, enabled: [...ORDER] } };
+    const bounded = (of: KinematicsScenario) =>
+      plots(of, runOf(of))
+        .slice(0, 2)
+        .map(({ lines }) => lines.filter(({ token }) => token === "bound"));
+    for (const [distances, sensed] of bounded(scenario)) {
+      expect([distances.name, sensed.name]).toEqual(["crb-distances", "crb-accelerometers"]);
+      distances.values.forEach((value, k) => expect(value).toBeGreaterThan(sensed.values[k]));
+    }
+    const enabled = withAccelerometers(scenario.estimators.enabled, false, undefined);
+    const without = bounded({ ...scenario, estimators: { ...scenario.estimators, enabled } });
+    expect(without.map(({ length }) => length)).toEqual([1, 1]);
+  });
+
+  test("is seen as far as the tips of its arrows, and no farther", () => {
+    for (const { name } of anchorlessPresets()) {
+      const scenario = anchorlessPreset(name);
+      const { anchors, extent } = anchorless.room(scenario);
+      expect(extent).toHaveLength(3 * anchors.length);
+      for (const { place } of handles(scenario)) expect(extent).toContainEqual(place);
     }
   });
 
@@ -179,6 +204,13 @@ describe("the sweep", () => {
     sum.push(anchorlessBlock((subject.block(0, 20) as StampBlock).scenario, counts, 0));
     const averages = sum.read();
     sum.free();
+    const at100 = studyReadings(averagesAt(averages, 90));
+    expect(averagesAt(averages, 90).stamps).toBe(100);
+    for (const { errors, standardErrors } of at100)
+      errors!.forEach((error, l) => {
+        expect(standardErrors![l]).toBeGreaterThan(0);
+        expect(standardErrors![l]).toBeLessThan(error);
+      });
     const [position, velocity] = sweep.plots({ scenario, averages }, scenario, run);
     expect([...velocity.x.values]).toEqual([10, 30, 100]);
     const at = (name: string) => velocity.lines.find((line) => line.name === name)!.values[2];
