@@ -33,6 +33,11 @@ describe("every figure", () => {
     }
   });
 
+  test("has units with raised exponents", () => {
+    const specs = plotsOf(computed("kinematics-1", 2).report);
+    expect(specs.map(({ unit }) => unit)).toEqual(["m²", "m²/s", "m²/s²"]);
+  });
+
   test("is drawn with command, scenarios and claims inside", () => {
     const { report } = computed("localization-6", 4);
     const specs = plotsOf(report);

@@ -14,16 +14,21 @@ function plotOf(figure: string, { name, title, x, y, curves }: Panel): PlotSpec 
   const values = Float64Array.from(places).sort();
   return {
     name: `${figure}/${name}`,
-    title: `${title}: ${y.label}`,
-    shortTitle: title,
-    unit: y.unit,
-    x: { name: x.label, unit: x.unit, values, scale: x.scale, timed: false, now: null },
+    title: `${raised(title)}: ${y.label}`,
+    shortTitle: raised(title),
+    unit: raised(y.unit),
+    x: { name: x.label, unit: raised(x.unit), values, scale: x.scale, timed: false, now: null },
     lines: curves.map((curve) => lineOf(curve, values)),
     bands: [],
     threshold: null,
     scale: y.scale,
     note: null,
   };
+}
+
+/** The crate writes exponents in ASCII. */
+function raised(text: string): string {
+  return text.replaceAll("^2", "²").replaceAll("^3", "³");
 }
 
 /** Curves need not have a point at every place. An engine's number that is none comes as null. */

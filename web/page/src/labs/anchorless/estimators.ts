@@ -1,17 +1,12 @@
+import type { Switch } from "../../controls/switches";
 import type { KinematicsName } from "../../generated/KinematicsName";
 import type { PlotLine } from "../../plots/spec";
 import type { Shape } from "../../scene/draw-list";
 
 /** An estimator as the page names and draws it, everywhere the same. */
-export interface KinematicsEstimator {
-  readonly name: KinematicsName;
-  readonly label: string;
-  readonly meaning: string;
+export interface KinematicsEstimator extends Switch<KinematicsName> {
   /** Whether it reads accelerometers. */
   readonly senses: boolean;
-  /** The design token of its colour, and the mark and dash that double it. */
-  readonly token: string;
-  readonly mark: Shape;
   readonly dash: readonly number[];
 }
 

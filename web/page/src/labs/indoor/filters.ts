@@ -1,15 +1,9 @@
+import type { Switch } from "../../controls/switches";
 import type { FilterName } from "../../generated/FilterName";
 import type { PlotLine } from "../../plots/spec";
-import type { Shape } from "../../scene/draw-list";
 
 /** A filter as the page names and draws it, everywhere the same. */
-export interface Filter {
-  readonly name: FilterName;
-  readonly label: string;
-  readonly meaning: string;
-  /** The design token of its colour, and the mark and dash that double it. */
-  readonly token: string;
-  readonly mark: Shape;
+export interface Filter extends Switch<FilterName> {
   readonly dash: readonly number[];
 }
 

@@ -16,7 +16,7 @@ export const STRETCH = {
   title: "Singular values of R",
   shortTitle: "R",
   unit: "",
-  note: "dotted: the least",
+  note: "Dotted: the least.",
 } as const;
 
 /** Degrees of freedom of the NEES: orientation, position, velocity. */

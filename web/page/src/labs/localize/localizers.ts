@@ -1,16 +1,9 @@
+import type { Switch } from "../../controls/switches";
 import type { LocalizerName } from "../../generated/LocalizerName";
 import type { PlotLine } from "../../plots/spec";
-import type { Shape } from "../../scene/draw-list";
 
 /** A localizer as the page names and draws it, everywhere the same. */
-export interface Localizer {
-  readonly name: LocalizerName;
-  readonly label: string;
-  readonly meaning: string;
-  /** The design token of its colour, and the mark that doubles it. */
-  readonly token: string;
-  readonly mark: Shape;
-}
+export type Localizer = Switch<LocalizerName>;
 
 /** In the order in which they are listed; the looks are those of the command line's figures. */
 export const LOCALIZERS: readonly Localizer[] = [

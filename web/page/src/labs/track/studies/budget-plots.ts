@@ -70,7 +70,7 @@ export function budgetPlots(curves: BudgetCurves, scenario: Scenario): PlotSpec[
 function thresholdAxis(curves: BudgetCurves, scenario: Scenario): PlotAxis {
   const { epsilon } = scenario.estimators.threshold;
   return {
-    name: "threshold",
+    name: "threshold ε",
     unit: "",
     values: curves.thresholds,
     scale: "log",
