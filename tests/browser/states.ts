@@ -75,6 +75,8 @@ export const STATES: readonly State[] = [
   { name: "Anchorless, over K", prepare: (lab) => anchorlessAverages(lab, "Over K") },
   { name: "figures", prepare: (lab) => openFigures(lab) },
   { name: "figure computed", prepare: (lab) => computeFigure(lab) },
+  { name: "figure of Indoor", prepare: (lab) => computeFigure(lab, /Distribution of the RMSE/) },
+  { name: "figure of Anchorless", prepare: (lab) => computeFigure(lab, /coefficients of the Gram/, "20") },
   { name: "figure claims", prepare: showClaims },
 ];
 
@@ -110,10 +112,11 @@ async function openFigures(lab: Lab): Promise<void> {
   await expect(lab.page.getByRole("dialog")).toBeVisible({ timeout: 30_000 });
 }
 
-async function computeFigure(lab: Lab): Promise<void> {
+async function computeFigure(lab: Lab, title?: RegExp, trials = "40"): Promise<void> {
   await openFigures(lab);
   const dialog = lab.page.getByRole("dialog");
-  await dialog.getByRole("textbox", { name: "Trials" }).fill("40");
+  if (title) await dialog.getByRole("button", { name: title }).click();
+  await dialog.getByRole("textbox", { name: "Trials" }).fill(trials);
   await dialog.getByRole("button", { name: "Compute" }).click();
   await expect(dialog.getByText(/jobs, complete/)).toBeVisible({ timeout: 120_000 });
 }
