@@ -12,6 +12,7 @@ from ..recording import Recording
 from ..scenario import Scenario
 from .canvas import Canvas
 from .plots import Plot
+from .readout import Table
 
 Document = Scenario | IndoorScenario | KinematicsScenario
 Source = Document | Recording
@@ -96,6 +97,10 @@ class Picture(Protocol):
 
     def plots(self) -> list[Plot]:
         """Plots along the time."""
+        ...
+
+    def readout(self, step: int) -> Table:
+        """The errors at a step, and those of the run."""
         ...
 
     def draw(self, canvas: Canvas, step: int, magnify: float) -> None:

@@ -17,6 +17,7 @@ from .panel import Panel
 from .picture import Picture, Source, Wish
 from .plots import Plots
 from .port import PortTakenError, free_port
+from .readout import Readout
 from .save import recorded
 from .stage import Stage
 from .state import Studio
@@ -96,7 +97,10 @@ class Viewer:
 
     def draw(self) -> None:
         """Draws the scene at the step of the timeline."""
-        self._draw(self._timeline.step)
+        with self._drawing:
+            self._draw(self._timeline.step)
+            step = min(self._timeline.step, len(self.shown.times) - 1)
+            self._readout.show(self.shown.readout(step), self._theme)
 
     def save(self, path: str | Path) -> None:
         """Writes the run as a player: one HTML file, or a `.viser` recording.
@@ -134,6 +138,7 @@ class Viewer:
         gui.set_panel_label("rangelab")
         self._note = gui.add_markdown("")
         self._timeline = Timeline(self._server, len(self.shown.times), self.draw)
+        self._readout = Readout(self._server)
         self._tabs: viser.GuiTabGroupHandle | None = None
         self._panel: Panel | None = None
         self._controls = gui.add_folder("Controls")

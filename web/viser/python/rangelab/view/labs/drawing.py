@@ -1,5 +1,7 @@
 """What the labs draw alike: the truth, the body, what estimators found of it."""
 
+from typing import Protocol
+
 import numpy as np
 
 from ...arrays import Flags, Floats
@@ -7,6 +9,14 @@ from .. import shapes
 from ..canvas import Canvas
 from ..looks import Look
 from ..plots import Line
+from ..readout import root_mean_square
+
+
+class Stopped(Protocol):
+    """What may have failed: from which step on, and why."""
+
+    failure: tuple[int, str] | None
+
 
 LARGEST_ERROR = 0.08
 """Share of the scene that the largest error is drawn as, at most."""
@@ -77,3 +87,17 @@ def lines_of(looks: dict[str, Look], values: dict[str, Floats], factor: float = 
     shown = {name: factor * each for name, each in values.items() if np.isfinite(each).any()}
     widths = rims(len(shown))
     return tuple(Line(looks[name], each, 1.5 + rim) for (name, each), rim in zip(shown.items(), widths, strict=True))
+
+
+def readings(angles: Floats, positions: Floats, step: int) -> tuple[float, float, float, float]:
+    """Angle (deg) and position (m) at a step, and root mean squares over the run."""
+    degrees = float(np.degrees(1.0))
+    overall = degrees * root_mean_square(angles), root_mean_square(positions)
+    return degrees * float(angles[step]), float(positions[step]), *overall
+
+
+def ended(part: Stopped, step: int) -> str:
+    """That an estimator had stopped before a step; nothing where it runs."""
+    if part.failure is None or step < part.failure[0]:
+        return ""
+    return f"stopped at step {part.failure[0] + 1}"

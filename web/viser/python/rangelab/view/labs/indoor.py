@@ -6,13 +6,14 @@ from typing import Any
 import numpy as np
 
 from ...arrays import Floats
-from ...indoor import IndoorRun, IndoorScenario
+from ...indoor import IndoorFilterRun, IndoorRun, IndoorScenario
 from .. import shapes
 from ..canvas import Canvas
 from ..looks import FILTERS
 from ..panel import DEGREES, Document, Panel
 from ..picture import Change, Handle, Wish
 from ..plots import Line, Plot, expected
+from ..readout import Row, Table
 from . import drawing
 from .choices import Chosen
 from .track_panel import seed_controls
@@ -93,6 +94,12 @@ class IndoorPicture:
             self._plot("NEES / dof", (*lines(FILTERS, nees), expected(self.times))),
         ]
 
+    def readout(self, step: int) -> Table:
+        """Errors at a step with the largest singular value of R, and root mean squares over the run with its NEES."""
+        rows = tuple(self._row(name, each, step) for name, each in self.run.filters.items())
+        heads = ("orient.\ndeg", "position\nm")
+        return Table((("at this step", (*heads, "‖R‖")), ("RMSE of the run", (*heads, "NEES\n÷ dof"))), rows)
+
     def draw(self, canvas: Canvas, step: int, magnify: float) -> None:
         """Track and body, estimates with their ellipsoids."""
         run, truth = self.run, self.run.truth_positions
@@ -105,6 +112,13 @@ class IndoorPicture:
                 canvas.lines(f"/estimators/{name}/body", shapes.pairs(corners), look.token, 2.0)
                 covariance = each.position_covariances[step]
                 canvas.ellipsoid(f"/estimators/{name}/ellipsoid", covariance, positions[step], magnify, look.token)
+
+    def _row(self, name: str, each: IndoorFilterRun, step: int) -> Row:
+        found = drawing.readings(each.orientation_errors, each.position_errors, step)
+        nees = each.nees[np.isfinite(each.nees)]
+        mean = float(nees.mean()) if len(nees) else float("nan")
+        numbers = (*found[:2], float(each.singular_values[step, 0]), *found[2:], mean)
+        return Row(FILTERS[name], numbers, drawing.ended(each, step))
 
     def _plot(self, title: str, lines: tuple[Line, ...]) -> Plot:
         return Plot(title, self.times, lines)

@@ -13,9 +13,10 @@ from ...run import EstimatorRun, Run
 from ...scenario import Scenario
 from .. import shapes
 from ..canvas import Canvas
-from ..looks import TRACK_BOUNDS, TRACKERS
+from ..looks import TRACK_BOUNDS, TRACKERS, Look
 from ..picture import Handle, Wish
 from ..plots import Line, Plot, expected
+from ..readout import Row, Table
 from . import drawing
 from .obstacles import draw_obstacles, obstacle_handles
 
@@ -92,6 +93,15 @@ class TrackPicture:
             self._plot("NIS / dof, from step 2 on", (*lines(TRACKERS, nis), expected(self.times))),
         ]
 
+    def readout(self, step: int) -> Table:
+        """Errors and bounds at a step, and root mean squares over the run."""
+        rows = [self._row(TRACKERS[name], each, step) for name, each in self.run.estimators.items()]
+        for name in self._shown_bounds():
+            bound = self.run.bounds[name]
+            rows.append(Row(TRACK_BOUNDS[name], drawing.readings(bound.orientation, bound.position, step)))
+        heads = ("orient.\ndeg", "position\nm")
+        return Table((("at this step", heads), ("RMSE of the run", heads)), tuple(rows))
+
     def draw(self, canvas: Canvas, step: int, magnify: float) -> None:
         """Track, body, ranges, estimates with their ellipsoids, obstacles, the field."""
         run, truth = self.run, self.run.truth_positions
@@ -120,15 +130,23 @@ class TrackPicture:
             covariance = each.position_covariances[step]
             canvas.ellipsoid(f"/estimators/{name}/ellipsoid", covariance, positions[step], magnify, look.token)
 
+    def _row(self, look: Look, each: EstimatorRun, step: int) -> Row:
+        return Row(
+            look, drawing.readings(each.orientation_errors, each.position_errors, step), drawing.ended(each, step)
+        )
+
     def _plot(self, title: str, lines: tuple[Line, ...]) -> Plot:
         return Plot(title, self.times, lines)
 
     def _bounds(self, of: str, factor: float) -> tuple[Line, ...]:
         """The bounds that say something about those that run."""
+        values = {name: factor * getattr(self.run.bounds[name], of) for name in self._shown_bounds()}
+        return tuple(Line(TRACK_BOUNDS[name], each, 1.5) for name, each in values.items())
+
+    def _shown_bounds(self) -> list[str]:
         run = self.run
         names = [name for name in TRACK_BOUNDS if name in run.bounds]
-        shown = [name for name in names if name != "posterior_crb_raw" or "eskf-raw" in run.estimators]
-        return tuple(Line(TRACK_BOUNDS[name], factor * getattr(run.bounds[name], of), 1.5) for name in shown)
+        return [name for name in names if name != "posterior_crb_raw" or "eskf-raw" in run.estimators]
 
     def _events(self, defects: dict[str, Floats]) -> tuple[Line, ...]:
         """Where the ET-KF projected."""
