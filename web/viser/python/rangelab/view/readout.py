@@ -41,7 +41,7 @@ class Table:
         below = "".join(_head(head) for _, heads in self.groups for head in heads)
         body = "".join(_row(row, sum(len(heads) for _, heads in self.groups), theme) for row in self.rows)
         return (
-            "<div style='padding:0 0.5rem 0.4rem;font-size:0.75rem;line-height:1.3;overflow-x:auto'>"
+            "<div style='padding:0 1rem 0.4rem 0.5rem;font-size:0.75rem;line-height:1.3;overflow-x:auto'>"
             "<table style='width:100%;border-collapse:collapse;font-variant-numeric:tabular-nums'>"
             f"<thead><tr><td></td>{over}</tr><tr><td></td>{below}</tr></thead><tbody>{body}</tbody></table></div>"
         )

@@ -138,13 +138,15 @@ class Viewer:
         gui.set_panel_label("rangelab")
         self._note = gui.add_markdown("")
         self._timeline = Timeline(self._server, len(self.shown.times), self.draw)
-        self._readout = Readout(self._server)
         self._tabs: viser.GuiTabGroupHandle | None = None
         self._panel: Panel | None = None
         self._controls = gui.add_folder("Controls")
         self._file = FilePanel(self._server, self, self._studio, theme, page)
         plots = gui.add_panel()
-        self._plots = Plots(self._server, plots.add_tab("Plots"))
+        told = plots.add_tab("Errors")
+        with told:
+            self._readout = Readout(self._server)
+        self._plots = Plots(self._server, told)
         gui.main_panel.dock_right()
         plots.dock_below(gui.main_panel)
         gui.main_panel.set_width(PANEL_WIDTH)
