@@ -10,6 +10,7 @@ from ..indoor import IndoorScenario
 from ..kinematics import KinematicsScenario
 from ..recording import Recording
 from ..scenario import Scenario
+from ..studies import Study
 from .canvas import Canvas
 from .plots import Plot
 from .readout import Table
@@ -30,14 +31,16 @@ class Wish:
     trial: int = 0
     field: bool = False
     """Whether the bound over a plane is wished for too."""
+    study: Study | None = None
+    """Averages over many trials of the document, in place of one run's errors."""
     estimators: tuple[str, ...] | None = None
     """Those that run over a recording; None for all. A scenario says so itself."""
 
     def edited(self, change: Change) -> "Wish":
-        """With an edited document."""
+        """With an edited document, of which there are no averages yet."""
         source = change(self.source)
         assert isinstance(source, Scenario | IndoorScenario | KinematicsScenario)
-        return replace(self, source=source)
+        return replace(self, source=source, study=None)
 
 
 @dataclass(frozen=True)

@@ -82,7 +82,7 @@ class Viewer:
 
     def open(self, source: Source, lab: str | None = None) -> None:
         """Shows another document."""
-        self._studio.ask(source=source, lab=lab_of(source, lab), trial=0)
+        self._studio.ask(source=source, lab=lab_of(source, lab), trial=0, study=None)
 
     def look(self, theme: str) -> None:
         """Shows it in another theme: light, dark or projector."""

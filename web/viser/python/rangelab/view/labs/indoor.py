@@ -1,6 +1,7 @@
 """An IMU and three transmitters on a body among beacons: filters side by side."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,10 @@ from ..picture import Change, Handle, Wish
 from ..plots import Line, Plot, expected
 from ..readout import Row, Table
 from . import drawing
+from .averages import Averages
+from .averaging import averaging_controls
 from .choices import Chosen
+from .indoor_averages import averaged_plots, averaged_readout
 from .track_panel import seed_controls
 
 PATHS = (
@@ -54,6 +58,11 @@ class IndoorPicture:
         """Beacons and the true track."""
         return np.concatenate([self.run.beacons, self.run.truth_positions])
 
+    @cached_property
+    def averages(self) -> Averages | None:
+        """Over many trials, where they are wished for."""
+        return None if self.wish.study is None else Averages(self.wish.study)
+
     @property
     def magnification(self) -> float:
         """So that the largest error is seen and stays in the scene."""
@@ -81,7 +90,9 @@ class IndoorPicture:
         return [_beacon(m, np.array(place)) for m, place in enumerate(source.to_dict()["beacons"])]
 
     def plots(self) -> list[Plot]:
-        """The page's plots of one run."""
+        """The page's plots of one run, or of the averages that there are."""
+        if self.averages is not None:
+            return averaged_plots(self.averages, self.times)
         filters, degrees, lines = self.run.filters, float(np.degrees(1.0)), drawing.lines_of
         angles = {name: each.orientation_errors for name, each in filters.items()}
         positions = {name: each.position_errors for name, each in filters.items()}
@@ -96,6 +107,8 @@ class IndoorPicture:
 
     def readout(self, step: int) -> Table:
         """Errors at a step with the largest singular value of R, and root mean squares over the run with its NEES."""
+        if self.averages is not None:
+            return averaged_readout(self.averages, step, list(self.run.filters))
         rows = tuple(self._row(name, each, step) for name, each in self.run.filters.items())
         heads = ("orient.\ndeg", "position\nm")
         return Table((("at this step", (*heads, "‖R‖")), ("RMSE of the run", (*heads, "NEES\n÷ dof"))), rows)
@@ -141,6 +154,8 @@ def indoor_controls(panel: Panel) -> None:
         seed_controls(panel)
     with panel.folder("Filters", opened=True):
         panel.several("filters.enabled", [(name, look.label) for name, look in FILTERS.items()])
+    with panel.folder("Averages over trials", opened=True):
+        averaging_controls(panel)
     with panel.folder("Ranges", opened=True):
         panel.number("ranging.sigma", "range σ, m", step=0.01, least=0.0)
         panel.number("ranging.interval", "between fixes, s", step=0.1, least=0.0)

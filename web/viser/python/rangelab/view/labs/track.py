@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from dataclasses import field as entry
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -18,7 +19,9 @@ from ..picture import Handle, Wish
 from ..plots import Line, Plot, expected
 from ..readout import Row, Table
 from . import drawing
+from .averages import Averages
 from .obstacles import draw_obstacles, obstacle_handles
+from .track_averages import averaged_plots, averaged_readout
 
 FIELD_CELLS = 48
 
@@ -48,6 +51,11 @@ class TrackPicture:
         """Anchors and the true track."""
         return np.concatenate([self.run.anchors, self.run.truth_positions])
 
+    @cached_property
+    def averages(self) -> Averages | None:
+        """Over many trials, where they are wished for."""
+        return None if self.wish.study is None else Averages(self.wish.study)
+
     @property
     def magnification(self) -> float:
         """10 as on the page's default scene, fewer where errors would leave it."""
@@ -76,7 +84,9 @@ class TrackPicture:
         return [*anchor_handles(document), *_way_points(document), *obstacle_handles(document)]
 
     def plots(self) -> list[Plot]:
-        """The page's plots of one run."""
+        """The page's plots of one run, or of the averages that there are."""
+        if self.averages is not None:
+            return averaged_plots(self.averages, self.times, self._shown_bounds())
         trackers = self.run.estimators
         degrees = float(np.degrees(1.0))
         angles = {name: each.orientation_errors for name, each in trackers.items()}
@@ -95,6 +105,8 @@ class TrackPicture:
 
     def readout(self, step: int) -> Table:
         """Errors and bounds at a step, and root mean squares over the run."""
+        if self.averages is not None:
+            return averaged_readout(self.averages, step, list(self.run.estimators), self._shown_bounds())
         rows = [self._row(TRACKERS[name], each, step) for name, each in self.run.estimators.items()]
         for name in self._shown_bounds():
             bound = self.run.bounds[name]

@@ -7,6 +7,7 @@ import numpy as np
 
 from ..looks import TRACKERS
 from ..panel import DEGREES, Document, Panel
+from .averaging import averaging_controls
 from .noise import noise_controls
 from .paths import PATHS, with_path
 
@@ -24,6 +25,8 @@ def track_controls(panel: Panel) -> None:
     with panel.folder("Estimators", opened=True):
         panel.several("estimators.enabled", [(name, look.label) for name, look in TRACKERS.items()])
         panel.number("estimators.threshold.epsilon", "ET threshold ε", step=0.01, least=0.0)
+    with panel.folder("Averages over trials", opened=True):
+        averaging_controls(panel)
     with panel.folder("Estimator settings"):
         _estimator_settings(panel)
     with panel.folder("Time and seed", opened=True):
