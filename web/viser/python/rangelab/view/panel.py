@@ -176,13 +176,17 @@ class Panel:
 
     def switch(self, path: str, label: str, *, hint: str | None = None) -> None:
         """Yes or no."""
+        self.tick(
+            label, lambda document: bool(self.value(document, path)), lambda value: self.put(path, value), hint=hint
+        )
+
+    def tick(
+        self, label: str, read: Callable[[Document], bool], write: Callable[[bool], None], *, hint: str | None = None
+    ) -> None:
+        """A box that is ticked or not."""
         handle = self.gui.add_checkbox(label, False, hint=hint)
-
-        def write(document: Document) -> None:
-            put(handle, bool(self.value(document, path)))
-
-        by_hand(handle, lambda value: self.put(path, value))
-        self.on_follow(write)
+        by_hand(handle, write)
+        self.on_follow(lambda document: put(handle, read(document)))
 
     def several(self, path: str, options: Sequence[tuple[str, str]]) -> None:
         """Any of several, each with a box."""

@@ -31,6 +31,8 @@ class Wish:
     trial: int = 0
     field: bool = False
     """Whether the bound over a plane is wished for too."""
+    advice: bool = False
+    """Whether arrows to better places of the anchors are wished for."""
     study: Study | None = None
     """Averages over many trials of the document, in place of one run's errors."""
     estimators: tuple[str, ...] | None = None

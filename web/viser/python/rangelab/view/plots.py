@@ -11,7 +11,7 @@ from .looks import Look
 from .themes import Theme
 
 HEIGHT = 230
-SHADE = "40"
+SHADE = "26"
 """How much of its colour a band has, in hexadecimal."""
 EDGE: uplot.Series = {"label": "", "width": 0, "points": {"show": False}, "class": "mantine-hidden-from-xs"}
 """The edge of a band: not drawn, and by the class of viser's own style sheet not in the legend."""

@@ -38,6 +38,7 @@ THEMES = {
         tokens={
             "ink-soft": "#4b5360",
             "accent": "#005b9a",
+            "warning": "#8a3200",
             "scene": "#fafbfc",
             "grid": "#d5d9e0",
             "anchor": "#16191f",
@@ -59,6 +60,7 @@ THEMES = {
         tokens={
             "ink-soft": "#b3bac6",
             "accent": "#6cb8f5",
+            "warning": "#ffb27a",
             "scene": "#13161b",
             "grid": "#2c323b",
             "anchor": "#f0f2f5",
@@ -80,6 +82,7 @@ THEMES = {
         tokens={
             "ink-soft": "#2c313a",
             "accent": "#004a80",
+            "warning": "#7a2b00",
             "scene": "#ffffff",
             "grid": "#c6cbd3",
             "anchor": "#000000",

@@ -21,6 +21,7 @@ from ..readout import Row, Table
 from . import drawing
 from .averages import Averages
 from .obstacles import draw_obstacles, obstacle_handles
+from .placement_boxes import downhill, draw_arrows, draw_boxes
 from .track_averages import averaged_plots, averaged_readout
 
 FIELD_CELLS = 48
@@ -35,6 +36,8 @@ class TrackPicture:
     field: Field | None
     document: dict[str, Any] = entry(default_factory=dict)
     """The scenario; empty where the run is one of a recording."""
+    advice: dict[str, Any] | None = None
+    """How good the places of the anchors are and in which way they get better, where it is wished for."""
 
     @property
     def name(self) -> str:
@@ -125,6 +128,10 @@ class TrackPicture:
             self._draw_estimate(canvas, name, each, step, magnify, rim)
         if self.document:
             draw_obstacles(canvas, self.document, self.outline)
+            draw_boxes(canvas, self.document)
+        if self.advice is not None:
+            ways = downhill(np.array(self.advice["gradient"]), self.document["placement"]["fixed"])
+            draw_arrows(canvas, run.anchors, ways)
         if self.field is not None:
             canvas.field("/field", self.field)
 
@@ -195,7 +202,9 @@ def track(wish: Wish) -> TrackPicture:
         return TrackPicture(wish, source.run(settings), None)
     assert isinstance(source, Scenario)
     found = source.field(FIELD_CELLS) if wish.field else None
-    return TrackPicture(wish, source.run(wish.trial), found, source.to_dict())
+    document = source.to_dict()
+    advice = source.advise() if wish.advice and document["redraw_anchors"] is None else None
+    return TrackPicture(wish, source.run(wish.trial), found, document, advice)
 
 
 def _share(each: EstimatorRun, of: str) -> Floats:
