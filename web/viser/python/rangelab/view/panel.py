@@ -181,12 +181,23 @@ class Panel:
         )
 
     def tick(
-        self, label: str, read: Callable[[Document], bool], write: Callable[[bool], None], *, hint: str | None = None
+        self,
+        label: str,
+        read: Callable[[Document], bool | None],
+        write: Callable[[bool], None],
+        *,
+        hint: str | None = None,
     ) -> None:
-        """A box that is ticked or not."""
+        """A box that is ticked or not; hidden where the document has neither."""
         handle = self.gui.add_checkbox(label, False, hint=hint)
+
+        def follow(document: Document) -> None:
+            value = read(document)
+            handle.visible = value is not None
+            put(handle, bool(value))
+
         by_hand(handle, write)
-        self.on_follow(lambda document: put(handle, read(document)))
+        self.on_follow(follow)
 
     def several(self, path: str, options: Sequence[tuple[str, str]]) -> None:
         """Any of several, each with a box."""

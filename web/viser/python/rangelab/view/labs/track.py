@@ -23,6 +23,7 @@ from .averages import Averages
 from .obstacles import draw_obstacles, obstacle_handles
 from .placement_boxes import downhill, draw_arrows, draw_boxes
 from .track_averages import averaged_plots, averaged_readout
+from .way_points import points_of
 
 FIELD_CELLS = 48
 
@@ -233,8 +234,7 @@ def anchor_handles(document: dict[str, Any]) -> list[Handle]:
 
 def _way_points(document: dict[str, Any]) -> list[Handle]:
     """The points of a path drawn by hand."""
-    points = (document["motion"]["path"] or {}).get("points", [])
-    return [_way_point(i, np.array(place)) for i, place in enumerate(points)]
+    return [_way_point(i, np.array(place)) for i, place in enumerate(points_of(document))]
 
 
 def _way_point(i: int, place: Floats) -> Handle:

@@ -9,7 +9,9 @@ from ..looks import TRACKERS
 from ..panel import DEGREES, Document, Panel
 from .averaging import averaging_controls
 from .noise import noise_controls
+from .orientation import orientation_control
 from .paths import PATHS, with_path
+from .way_points import way_point_controls
 
 Options = Sequence[tuple[str, str]]
 
@@ -78,6 +80,7 @@ def _motion(panel: Panel) -> None:
     panel.number("motion.path.period", "period, s", step=0.5, least=0.0)
     panel.number("motion.path.climb", "climb a turn, m", step=0.1)
     panel.choice("motion.path.side", "turns", (("left", "left"), ("right", "right")))
+    way_point_controls(panel)
     panel.vector("motion.velocity", "velocity, m/s", step=0.1)
     panel.vector("motion.angular_velocity", "turn rate, deg/s", factor=DEGREES, step=1.0)
     panel.number("motion.sigma_omega", "turn rate disturbed by σ_ω, deg/s", factor=DEGREES, step=0.1, least=0.0)
@@ -91,6 +94,8 @@ def _kind(document: Document) -> str:
 
 def _start(panel: Panel) -> None:
     panel.vector("start.position", "position, m", step=0.1)
+    orientation_control(panel, "start.orientation", "orientation")
     panel.vector("initial.position", "guessed position, m", step=0.1)
+    orientation_control(panel, "initial.orientation", "guessed orientation")
     panel.number("initial.covariance", "variance of the guess, of each entry of [Q | t]", step=1.0, least=0.0)
     panel.button("Guess the true start", lambda: panel.edit("guess", guessing_the_truth))
