@@ -20,6 +20,7 @@ from ..plots import Line, Plot, expected
 from ..readout import Row, Table
 from . import drawing
 from .averages import Averages
+from .field_panel import in_angles
 from .obstacles import draw_obstacles, obstacle_handles
 from .placement_boxes import downhill, draw_arrows, draw_boxes
 from .track_averages import averaged_plots, averaged_readout
@@ -134,7 +135,8 @@ class TrackPicture:
             ways = downhill(np.array(self.advice["gradient"]), self.document["placement"]["fixed"])
             draw_arrows(canvas, run.anchors, ways)
         if self.field is not None:
-            canvas.field("/field", self.field)
+            limit = self.document["field"]["angle_limit" if in_angles(self.document) else "position_limit"]
+            canvas.field("/field", self.field, limit)
 
     def _draw_estimate(
         self, canvas: Canvas, name: str, each: EstimatorRun, step: int, magnify: float, rim: float
@@ -180,14 +182,10 @@ class TrackPicture:
     def _field_sentence(self) -> str:
         if self.field is None or not np.isfinite(self.field.values).any():
             return ""
-        source = self.wish.source
-        assert isinstance(source, Scenario)
-        document = source.to_dict()
-        subject, of = document["field"]["subject"], document["field"]["quantity"]
-        of = of if subject == "body" else document["placement"]["target"]
-        factor, unit = (float(np.degrees(1.0)), "deg") if of == "orientation" else (1e3, "mm")
+        angles = in_angles(self.document)
+        of, factor, unit = ("orientation", float(np.degrees(1.0)), "deg") if angles else ("position", 1e3, "mm")
         low, high = factor * np.nanmin(self.field.values), factor * np.nanmax(self.field.values)
-        where = "" if subject == "body" else ", one more anchor there"
+        where = "" if self.document["field"]["subject"] == "body" else ", one more anchor there"
         return f"Bound of the {of}{where}: {low:.3g} {unit} (dark) to {high:.3g} {unit} (bright)."
 
 
