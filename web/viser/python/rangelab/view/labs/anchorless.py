@@ -20,6 +20,7 @@ from ..plots import Line, Plot
 from ..readout import Row, Table
 from . import drawing
 from .choices import Chosen
+from .gauge import gauge_controls
 from .track_panel import seed_controls
 
 DERIVATIVES = {1: "velocity", 2: "acceleration"}
@@ -67,7 +68,8 @@ class AnchorlessPicture:
         """What gave nothing and why, and what is compared."""
         stopped = [f"{each.label} stopped: {each.failure}" for each in self.run.estimators.values() if each.failure]
         missing = [f"{self.run.missing} distances are missing."] if self.run.missing else []
-        told = "Arrows: velocities and (dashed) accelerations at time 0. Estimates are aligned with the truth."
+        told = "Arrows: velocities and (dashed) accelerations at time 0. Estimates are aligned with the truth. "
+        told += "Ellipsoids: one standard deviation of the bound, as many times as large as errors."
         return [*stopped, *missing, told]
 
     def handles(self) -> list[Handle]:
@@ -115,6 +117,7 @@ class AnchorlessPicture:
         crosses = [np.stack([now - size * axis, now + size * axis], axis=1) for axis in np.eye(3)]
         canvas.lines("/truth/nodes", np.concatenate(crosses), "truth", 3.0)
         self._draw_arrows(canvas)
+        self._draw_bound(canvas, step, magnify)
         for (name, each), rim in zip(self.run.estimators.items(), drawing.rims(len(self.run.estimators)), strict=True):
             errors = self._errors(each, step)
             if errors is None:
@@ -124,6 +127,17 @@ class AnchorlessPicture:
             known = np.isfinite(segments).all(axis=(1, 2))
             canvas.lines(f"/estimators/{name}/errors", segments[known], look.token, 1.5 + rim)
             canvas.marks(f"/estimators/{name}/marks", places[known], look, 1.0 + 0.25 * rim)
+
+    def _draw_bound(self, canvas: Canvas, step: int, magnify: float) -> None:
+        """An ellipsoid about each node: one standard deviation of the best that any estimator could do."""
+        known = [bound for bound in self.bounds.values() if not isinstance(bound, str)]
+        if not known:
+            return
+        places = self.motion.positions(self.times[step])[0]
+        nodes, dimension = places.shape
+        blocks = known[-1].position_covariance(self.times[step]).reshape(nodes, dimension, nodes, dimension)
+        for n, place in enumerate(places):
+            canvas.ellipsoid(f"/bound/{n}", blocks[n, :, n], place, magnify, "bound")
 
     def _draw_arrows(self, canvas: Canvas) -> None:
         places, *derivatives = shapes.lifted(self.motion.coefficients)
@@ -211,6 +225,8 @@ def anchorless_controls(panel: Panel) -> None:
         panel.number("estimators.range_degree", "degree q of a range", step=1, least=2, most=16)
     with panel.folder("Nodes"):
         _nodes(panel)
+    with panel.folder("What distances cannot see"):
+        gauge_controls(panel)
 
 
 def _nodes(panel: Panel) -> None:
