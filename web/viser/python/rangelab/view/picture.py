@@ -33,6 +33,8 @@ class Wish:
     """Whether the bound over a plane is wished for too."""
     advice: bool = False
     """Whether arrows to better places of the anchors are wished for."""
+    fans: bool = False
+    """Whether fans of the axes are wished for."""
     study: Study | None = None
     """Averages over many trials of the document, in place of one run's errors."""
     estimators: tuple[str, ...] | None = None

@@ -7,6 +7,7 @@ import numpy as np
 from ...arrays import Flags, Floats
 from .. import shapes
 from ..canvas import Canvas
+from ..fans import fan_around
 from ..looks import Look
 from ..plots import Line
 from ..readout import root_mean_square
@@ -22,6 +23,8 @@ LARGEST_ERROR = 0.08
 """Share of the scene that the largest error is drawn as, at most."""
 VISIBLE_SHARE, DRAWN_SHARE = 0.08, 0.15
 """A body smaller than the first share of the scene is too small to see and is drawn as large as the second."""
+FAN = 0.08
+"""How far the axes of fans reach beside the scene."""
 WIDEST_RIM = 3.0
 """How much wider than the last the first of many tracks is drawn, pixels."""
 
@@ -69,6 +72,19 @@ def draw_track(canvas: Canvas, name: str, look: Look, positions: Floats, step: i
         segments = shapes.dashed(segments)
     canvas.lines(f"/estimators/{name}/path", segments, look.token, 1.5 + rim)
     canvas.marks(f"/estimators/{name}/mark", shapes.lifted(positions[step : step + 1]), look, 1.0 + 0.25 * rim)
+
+
+def draw_fans(canvas: Canvas, name: str, token: str, orientation: Floats, covariance: Floats, centre: Floats) -> None:
+    """The 95 % fans of the body's axes about a centre (D, m), by the covariance of an orientation."""
+    if not (np.isfinite(orientation).all() and np.isfinite(centre).all()):
+        return
+    reach, middle = FAN * canvas.unit, shapes.lifted(centre)
+    for i, column in enumerate(shapes.lifted(orientation.T)):
+        axis = column / np.linalg.norm(column)
+        ring = middle + reach * fan_around(axis, covariance)
+        if len(ring):
+            spoke = np.array([[middle, middle + reach * axis]])
+            canvas.lines(f"/fans/{name}/{i}", np.concatenate([shapes.path(ring), spoke]), token, 1.5)
 
 
 def draw_ranges(canvas: Canvas, anchors: Floats, sensors: Floats, present: Flags) -> None:

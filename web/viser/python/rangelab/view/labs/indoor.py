@@ -20,7 +20,7 @@ from .averages import Averages
 from .averaging import averaging_controls
 from .choices import Chosen
 from .indoor_averages import averaged_plots, averaged_readout
-from .track_panel import seed_controls
+from .track_panel import fan_control, seed_controls
 
 PATHS = (
     ("u", "a turn back (U)"),
@@ -125,6 +125,9 @@ class IndoorPicture:
                 canvas.lines(f"/estimators/{name}/body", shapes.pairs(corners), look.token, 2.0)
                 covariance = each.position_covariances[step]
                 canvas.ellipsoid(f"/estimators/{name}/ellipsoid", covariance, positions[step], magnify, look.token)
+                if self.wish.fans:
+                    turns = each.rotation_covariances[step]
+                    drawing.draw_fans(canvas, name, look.token, each.orientations[step], turns, positions[step])
 
     def _row(self, name: str, each: IndoorFilterRun, step: int) -> Row:
         found = drawing.readings(each.orientation_errors, each.position_errors, step)
@@ -154,6 +157,7 @@ def indoor_controls(panel: Panel) -> None:
         seed_controls(panel)
     with panel.folder("Filters", opened=True):
         panel.several("filters.enabled", [(name, look.label) for name, look in FILTERS.items()])
+        fan_control(panel)
     with panel.folder("Averages over trials", opened=True):
         averaging_controls(panel)
     with panel.folder("Ranges", opened=True):

@@ -129,7 +129,9 @@ def value_of(value: float | None, unit: str) -> str:
 
 def placement_controls(panel: Panel) -> None:
     """The search, the best next anchor, and what counts."""
-    said = panel.gui.add_markdown("Anchors move within the box that they span, but for those that stay.")
+    said = panel.gui.add_markdown(
+        "Anchors move within the box that they span, or the one they are given, but for those that stay."
+    )
     bar = panel.gui.add_progress_bar(0.0)
 
     def told(share: float, sentence: str) -> None:

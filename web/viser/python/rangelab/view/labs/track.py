@@ -126,6 +126,9 @@ class TrackPicture:
             drawing.draw_truth(canvas, run.truth_orientations, truth, self.body, step)
             sensors = shapes.body(run.truth_orientations[step], truth[step], self.body)
             drawing.draw_ranges(canvas, run.anchors, sensors, run.present[step])
+            if self.wish.fans and self._shown_bounds():
+                turns = run.bounds[self._shown_bounds()[0]].rotation_covariances[step]
+                drawing.draw_fans(canvas, "bound", "bound", run.truth_orientations[step], turns, truth[step])
         for (name, each), rim in zip(run.estimators.items(), drawing.rims(len(run.estimators)), strict=True):
             self._draw_estimate(canvas, name, each, step, magnify, rim)
         if self.document:
@@ -135,8 +138,7 @@ class TrackPicture:
             ways = downhill(np.array(self.advice["gradient"]), self.document["placement"]["fixed"])
             draw_arrows(canvas, run.anchors, ways)
         if self.field is not None:
-            limit = self.document["field"]["angle_limit" if in_angles(self.document) else "position_limit"]
-            canvas.field("/field", self.field, limit)
+            canvas.field("/field", self.field, self._field_limit)
 
     def _draw_estimate(
         self, canvas: Canvas, name: str, each: EstimatorRun, step: int, magnify: float, rim: float
@@ -151,6 +153,9 @@ class TrackPicture:
             canvas.lines(f"/estimators/{name}/body", shapes.pairs(shapes.lifted(corners)), look.token, 2.0)
             covariance = each.position_covariances[step]
             canvas.ellipsoid(f"/estimators/{name}/ellipsoid", covariance, positions[step], magnify, look.token)
+            if self.wish.fans:
+                turns = each.rotation_covariances[step]
+                drawing.draw_fans(canvas, name, look.token, each.orientations[step], turns, positions[step])
 
     def _row(self, look: Look, each: EstimatorRun, step: int) -> Row:
         return Row(
@@ -186,7 +191,15 @@ class TrackPicture:
         of, factor, unit = ("orientation", float(np.degrees(1.0)), "deg") if angles else ("position", 1e3, "mm")
         low, high = factor * np.nanmin(self.field.values), factor * np.nanmax(self.field.values)
         where = "" if self.document["field"]["subject"] == "body" else ", one more anchor there"
-        return f"Bound of the {of}{where}: {low:.3g} {unit} (dark) to {high:.3g} {unit} (bright)."
+        told = f"Bound of the {of}{where}: {low:.3g} {unit} (dark) to {high:.3g} {unit} (bright)."
+        limit = self._field_limit
+        return told if limit is None else f"{told} Hatched: worse than {factor * limit:.3g} {unit}."
+
+    @property
+    def _field_limit(self) -> float | None:
+        """What is worse is hatched."""
+        limit: float | None = self.document["field"]["angle_limit" if in_angles(self.document) else "position_limit"]
+        return limit
 
 
 def track(wish: Wish) -> TrackPicture:

@@ -26,6 +26,7 @@ def track_controls(panel: Panel) -> None:
         panel.choice("weighting", "weighting", (("common", "per anchor"), ("per_pair", "per range")))
     with panel.folder("Estimators", opened=True):
         panel.several("estimators.enabled", [(name, look.label) for name, look in TRACKERS.items()])
+        fan_control(panel)
         panel.number("estimators.threshold.epsilon", "ET threshold ε", step=0.01, least=0.0)
     with panel.folder("Averages over trials", opened=True):
         averaging_controls(panel)
@@ -43,6 +44,11 @@ def track_controls(panel: Panel) -> None:
         _motion(panel)
     with panel.folder("Start and first guess"):
         _start(panel)
+
+
+def fan_control(panel: Panel) -> None:
+    """What is claimed of the orientation, drawn."""
+    panel.tick("fans of the axes, 95 %", lambda _: panel.studio.wish.fans, lambda ticked: panel.studio.ask(fans=ticked))
 
 
 def seed_controls(panel: Panel) -> None:
