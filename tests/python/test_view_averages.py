@@ -1,5 +1,6 @@
 """Monte-Carlo in the viewer: the crate's averages in the plots, with bands, and an end before its time."""
 
+import threading
 from typing import Any
 
 import numpy as np
@@ -108,3 +109,11 @@ def test_a_study_that_is_stopped_shows_what_it_has() -> None:
         assert study is not None
         assert 20 <= study.trials < 100_000
         until(lambda: f"Stopped after {study.trials} trials." in str(client.of_type("GuiUpdateMessage")))
+
+
+def test_a_study_ends_with_the_viewer() -> None:
+    with shown(ROOM) as (_, client):
+        client.set(client.control("trials"), 100_000)
+        client.press("Average over trials, or stop")
+        until(lambda: "of 100000 trials" in str(client.of_type("GuiUpdateMessage")))
+    until(lambda: "rangelab-study" not in {thread.name for thread in threading.enumerate()}, 10)

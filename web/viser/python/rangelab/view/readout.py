@@ -37,7 +37,7 @@ class Table:
 
     def html(self, theme: Theme) -> str:
         """As the browser shows it, marks in the colours of the theme."""
-        over = "".join(_head(title, len(heads)) for title, heads in self.groups)
+        over = "".join(_head(title, len(heads), 600) for title, heads in self.groups)
         below = "".join(_head(head) for _, heads in self.groups for head in heads)
         body = "".join(_row(row, sum(len(heads) for _, heads in self.groups), theme) for row in self.rows)
         return (
@@ -81,10 +81,10 @@ def reading(value: float) -> str:
     return f"{value:.{digits}f}".replace("-", "−")
 
 
-def _head(text: str, columns: int = 1) -> str:
+def _head(text: str, columns: int = 1, weight: int = 400) -> str:
     lines = "<br>".join(escape(line) for line in text.split("\n"))
-    style = "padding:0 0 0 0.4rem;vertical-align:bottom;text-align:right;font-weight:"
-    return f"<th colspan={columns} scope=col style='{style}{600 if columns > 1 else 400}'>{lines}</th>"
+    style = "padding:0 0 0 0.4rem;vertical-align:bottom;text-align:right"
+    return f"<th colspan={columns} scope=col style='{style};font-weight:{weight}'>{lines}</th>"
 
 
 def _row(row: Row, columns: int, theme: Theme) -> str:

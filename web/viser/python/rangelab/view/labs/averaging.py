@@ -42,6 +42,8 @@ class Averaging:
 
     def _study(self, scenario: Studied, trials: int, called_off: threading.Event) -> None:
         def told(done: int, of: int) -> bool:
+            if self._studio.stopped:
+                return False
             self._tell(done / of, f"{done} of {of} trials")
             return not called_off.is_set() and self._studio.document is scenario
 
@@ -56,6 +58,8 @@ class Averaging:
     def _show(self, scenario: Studied, study: Study) -> None:
         """After all edits that came before, so that averages of another scene are never shown."""
         self._running = None
+        if self._studio.stopped:
+            return
         if self._studio.document is not scenario:
             self._tell(None, "The scene has changed: the study was stopped.")
             return
