@@ -1,7 +1,5 @@
 """The labs of the viewer by its protocol: controls and handles edit the document, and the crate computes it."""
 
-from collections.abc import Iterator
-from contextlib import contextmanager
 from functools import partial
 from typing import Any
 
@@ -12,23 +10,10 @@ from rangelab.view import Viewer, shapes, themes
 from rangelab.view.history import History
 from rangelab.view.labs import LABS, lab_of
 from rangelab.view.labs.obstacles import mesh_of
-from rangelab.view.picture import Source
 from viewer_client import ViewerClient, until
+from viewer_labs import shown
 
 ROOM = Scenario.preset("room")
-
-
-@contextmanager
-def shown(source: Source, lab: str | None = None) -> Iterator[tuple[Viewer, ViewerClient]]:
-    """A viewer with a client that has seen its plots."""
-    viewer = Viewer(source, lab=lab, port=0)
-    client = ViewerClient(viewer.port)
-    try:
-        until(lambda: client.of_type("TransformControlsMessage") and client.of_type("GuiUplotMessage"))
-        yield viewer, client
-    finally:
-        client.close()
-        viewer.stop()
 
 
 def document(viewer: Viewer) -> dict[str, Any]:

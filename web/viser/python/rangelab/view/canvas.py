@@ -12,7 +12,7 @@ from PIL import Image
 from ..arrays import Floats
 from ..field import Field
 from . import shapes
-from .colours import field_colours
+from .colours import field_colours, hatched
 from .looks import Look
 from .themes import Theme
 
@@ -102,13 +102,13 @@ class Canvas:
         """A word at a place (3, m)."""
         self._put(name, (text, place), lambda: self._server.scene.add_label(name, text, position=place))
 
-    def field(self, name: str, field: Field) -> None:
-        """A bound over a plane."""
+    def field(self, name: str, field: Field, limit: float | None) -> None:
+        """A bound over a plane, hatched where it is above a limit."""
         self._put(
             name,
-            (field.values, field.edges, self.theme.css("no-bound")),
+            (field.values, field.edges, limit, self.theme.css("no-bound")),
             lambda: self._server.scene.add_mesh_trimesh(
-                name, _glowing(field, self.theme), cast_shadow=False, receive_shadow=False
+                name, _glowing(field, limit, self.theme), cast_shadow=False, receive_shadow=False
             ),
         )
 
@@ -119,11 +119,12 @@ class Canvas:
             self._parts[name] = (make(), what)
 
 
-def _glowing(field: Field, theme: Theme) -> trimesh.Trimesh:
+def _glowing(field: Field, limit: float | None, theme: Theme) -> trimesh.Trimesh:
     """The field as a mesh that shines by itself: light would change its colours."""
     vertices, faces, places = shapes.field_mesh(field)
     # Rows of a picture go down.
-    picture = Image.fromarray(field_colours(field.values, theme)[::-1].round().astype(np.uint8))
+    colours = hatched(field_colours(field.values, theme), field.values, limit, theme)
+    picture = Image.fromarray(colours[::-1].round().astype(np.uint8))
     material = trimesh.visual.material.PBRMaterial(  # type: ignore[no-untyped-call]
         baseColorFactor=(0, 0, 0, round(255 * OPACITY)),
         alphaMode="BLEND",

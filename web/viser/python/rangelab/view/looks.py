@@ -79,3 +79,8 @@ LOCALIZER_BOUNDS = {
     "crb": Look("CRB, any matrix", "bound", dash=(2, 4)),
     "classical_crb": Look("CRB, each sensor", "bound", dash=(10, 3, 2, 3)),
 }
+
+KINEMATICS_BOUNDS = {
+    "distances": Look("CRB, distances", "bound", dash=(7, 4)),
+    "accelerometers": Look("CRB, all readings", "bound", dash=(2, 4)),
+}

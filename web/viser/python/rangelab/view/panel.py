@@ -176,13 +176,28 @@ class Panel:
 
     def switch(self, path: str, label: str, *, hint: str | None = None) -> None:
         """Yes or no."""
+        self.tick(
+            label, lambda document: bool(self.value(document, path)), lambda value: self.put(path, value), hint=hint
+        )
+
+    def tick(
+        self,
+        label: str,
+        read: Callable[[Document], bool | None],
+        write: Callable[[bool], None],
+        *,
+        hint: str | None = None,
+    ) -> None:
+        """A box that is ticked or not; hidden where the document has neither."""
         handle = self.gui.add_checkbox(label, False, hint=hint)
 
-        def write(document: Document) -> None:
-            put(handle, bool(self.value(document, path)))
+        def follow(document: Document) -> None:
+            value = read(document)
+            handle.visible = value is not None
+            put(handle, bool(value))
 
-        by_hand(handle, lambda value: self.put(path, value))
-        self.on_follow(write)
+        by_hand(handle, write)
+        self.on_follow(follow)
 
     def several(self, path: str, options: Sequence[tuple[str, str]]) -> None:
         """Any of several, each with a box."""

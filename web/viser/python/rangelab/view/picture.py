@@ -10,8 +10,10 @@ from ..indoor import IndoorScenario
 from ..kinematics import KinematicsScenario
 from ..recording import Recording
 from ..scenario import Scenario
+from ..studies import Study
 from .canvas import Canvas
 from .plots import Plot
+from .readout import Table
 
 Document = Scenario | IndoorScenario | KinematicsScenario
 Source = Document | Recording
@@ -29,14 +31,20 @@ class Wish:
     trial: int = 0
     field: bool = False
     """Whether the bound over a plane is wished for too."""
+    advice: bool = False
+    """Whether arrows to better places of the anchors are wished for."""
+    fans: bool = False
+    """Whether fans of the axes are wished for."""
+    study: Study | None = None
+    """Averages over many trials of the document, in place of one run's errors."""
     estimators: tuple[str, ...] | None = None
     """Those that run over a recording; None for all. A scenario says so itself."""
 
     def edited(self, change: Change) -> "Wish":
-        """With an edited document."""
+        """With an edited document, of which there are no averages yet."""
         source = change(self.source)
         assert isinstance(source, Scenario | IndoorScenario | KinematicsScenario)
-        return replace(self, source=source)
+        return replace(self, source=source, study=None)
 
 
 @dataclass(frozen=True)
@@ -96,6 +104,10 @@ class Picture(Protocol):
 
     def plots(self) -> list[Plot]:
         """Plots along the time."""
+        ...
+
+    def readout(self, step: int) -> Table:
+        """The errors at a step, and those of the run."""
         ...
 
     def draw(self, canvas: Canvas, step: int, magnify: float) -> None:

@@ -11,6 +11,10 @@ from .looks import Look
 from .themes import Theme
 
 HEIGHT = 230
+SHADE = "26"
+"""How much of its colour a band has, in hexadecimal."""
+EDGE: uplot.Series = {"label": "", "width": 0, "points": {"show": False}, "class": "mantine-hidden-from-xs"}
+"""The edge of a band: not drawn, and by the class of viser's own style sheet not in the legend."""
 
 
 @dataclass(frozen=True)
@@ -22,6 +26,15 @@ class Line:
     width: float = 2.0
     dots: bool = False
     """Whether it is dots where there are numbers, and no line."""
+    spread: Floats | None = None
+    """Half the width of a band around it."""
+
+    @property
+    def edges(self) -> tuple[Floats, ...]:
+        """The upper and the lower edge of the band; none where it has no width."""
+        if self.spread is None or not (self.spread > 0).any():
+            return ()
+        return self.values + self.spread, self.values - self.spread
 
 
 @dataclass(frozen=True)
@@ -67,6 +80,7 @@ class Plots:
             _data(plot),
             _series(plot, theme),
             title=plot.title,
+            bands=_bands(plot, theme),
             scales={"x": {"time": False}, "y": {"distr": 3 if plot.logarithmic else 1}},
             axes=({"label": plot.axis, "size": 28, "labelSize": 20}, {"size": 62}),
             padding=(12, 24, 0, 0),
@@ -76,10 +90,11 @@ class Plots:
 
 
 def _data(plot: Plot) -> tuple[Floats, ...]:
-    """On a logarithmic scale nothing is at or below 0."""
-    if not plot.logarithmic:
-        return (plot.x, *(line.values for line in plot.lines))
-    return (plot.x, *(np.where(line.values > 0, line.values, np.nan) for line in plot.lines))
+    """Lines, then the edges of their bands; on a logarithmic scale nothing is at or below 0."""
+    columns = [*(line.values for line in plot.lines), *(edge for line in plot.lines for edge in line.edges)]
+    if plot.logarithmic:
+        columns = [np.where(column > 0, column, np.nan) for column in columns]
+    return (plot.x, *columns)
 
 
 def _series(plot: Plot, theme: Theme) -> tuple[uplot.Series, ...]:
@@ -92,4 +107,16 @@ def _series(plot: Plot, theme: Theme) -> tuple[uplot.Series, ...]:
         if line.dots:
             series |= {"width": 0, "points": {"show": True, "size": 7 * theme.weight, "fill": colour}}
         lines.append(series)
-    return ({"label": plot.axis}, *lines)
+    edges = sum(len(line.edges) for line in plot.lines)
+    return ({"label": plot.axis}, *lines, *[EDGE] * edges)
+
+
+def _bands(plot: Plot, theme: Theme) -> tuple[uplot.Band, ...] | None:
+    """Between the edges, which come in pairs after all lines."""
+    tokens = [line.look.token for line in plot.lines if line.edges]
+    first = 1 + len(plot.lines)
+    bands = tuple(
+        uplot.Band(series=(first + 2 * i, first + 2 * i + 1), fill=theme.css(token) + SHADE)
+        for i, token in enumerate(tokens)
+    )
+    return bands or None

@@ -43,6 +43,11 @@ class Studio:
         source = self.wish.source
         return None if isinstance(source, Recording) else source
 
+    @property
+    def stopped(self) -> bool:
+        """Whether the viewer has ended, and with it what goes on in the background."""
+        return self._stopped
+
     def edit(self, change: Change, gesture: str = "") -> None:
         """Changes the document; a change that its rules forbid is refused and changes nothing."""
         try:

@@ -38,6 +38,8 @@ THEMES = {
         tokens={
             "ink-soft": "#4b5360",
             "accent": "#005b9a",
+            "warning": "#8a3200",
+            "hatch": "#16191f",
             "scene": "#fafbfc",
             "grid": "#d5d9e0",
             "anchor": "#16191f",
@@ -59,6 +61,8 @@ THEMES = {
         tokens={
             "ink-soft": "#b3bac6",
             "accent": "#6cb8f5",
+            "warning": "#ffb27a",
+            "hatch": "#000000",
             "scene": "#13161b",
             "grid": "#2c323b",
             "anchor": "#f0f2f5",
@@ -80,6 +84,8 @@ THEMES = {
         tokens={
             "ink-soft": "#2c313a",
             "accent": "#004a80",
+            "warning": "#7a2b00",
+            "hatch": "#000000",
             "scene": "#ffffff",
             "grid": "#c6cbd3",
             "anchor": "#000000",

@@ -17,6 +17,7 @@ from .panel import Panel
 from .picture import Picture, Source, Wish
 from .plots import Plots
 from .port import PortTakenError, free_port
+from .readout import Readout
 from .save import recorded
 from .stage import Stage
 from .state import Studio
@@ -81,7 +82,7 @@ class Viewer:
 
     def open(self, source: Source, lab: str | None = None) -> None:
         """Shows another document."""
-        self._studio.ask(source=source, lab=lab_of(source, lab), trial=0)
+        self._studio.ask(source=source, lab=lab_of(source, lab), trial=0, study=None)
 
     def look(self, theme: str) -> None:
         """Shows it in another theme: light, dark or projector."""
@@ -96,7 +97,10 @@ class Viewer:
 
     def draw(self) -> None:
         """Draws the scene at the step of the timeline."""
-        self._draw(self._timeline.step)
+        with self._drawing:
+            self._draw(self._timeline.step)
+            step = min(self._timeline.step, len(self.shown.times) - 1)
+            self._readout.show(self.shown.readout(step), self._theme)
 
     def save(self, path: str | Path) -> None:
         """Writes the run as a player: one HTML file, or a `.viser` recording.
@@ -139,7 +143,10 @@ class Viewer:
         self._controls = gui.add_folder("Controls")
         self._file = FilePanel(self._server, self, self._studio, theme, page)
         plots = gui.add_panel()
-        self._plots = Plots(self._server, plots.add_tab("Plots"))
+        told = plots.add_tab("Errors")
+        with told:
+            self._readout = Readout(self._server)
+        self._plots = Plots(self._server, told)
         gui.main_panel.dock_right()
         plots.dock_below(gui.main_panel)
         gui.main_panel.set_width(PANEL_WIDTH)

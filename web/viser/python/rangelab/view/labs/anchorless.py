@@ -5,18 +5,22 @@ from typing import Any
 
 import numpy as np
 
+from ..._core import Error
 from ...arrays import Floats
-from ...kinematics import KinematicsScenario
+from ...distances import kinematics_estimators
+from ...kinematics import KinematicsBound, KinematicsScenario
 from ...kinematics_run import KinematicsEstimatorRun, KinematicsRun
 from ...motion import RelativeKinematics
 from .. import shapes
 from ..canvas import Canvas
-from ..looks import KINEMATICS
+from ..looks import KINEMATICS, KINEMATICS_BOUNDS
 from ..panel import Panel
 from ..picture import Change, Handle, Wish
 from ..plots import Line, Plot
+from ..readout import Row, Table
 from . import drawing
 from .choices import Chosen
+from .gauge import gauge_controls
 from .track_panel import seed_controls
 
 DERIVATIVES = {1: "velocity", 2: "acceleration"}
@@ -30,6 +34,8 @@ class AnchorlessPicture:
     run: KinematicsRun
     motion: RelativeKinematics
     """The true motion, in the frame of the scenario."""
+    bounds: dict[str, KinematicsBound | str]
+    """Those for what the estimators know, by a name of `KINEMATICS_BOUNDS`; a sentence where there is none."""
 
     @property
     def name(self) -> str:
@@ -62,7 +68,8 @@ class AnchorlessPicture:
         """What gave nothing and why, and what is compared."""
         stopped = [f"{each.label} stopped: {each.failure}" for each in self.run.estimators.values() if each.failure]
         missing = [f"{self.run.missing} distances are missing."] if self.run.missing else []
-        told = "Arrows: velocities and (dashed) accelerations at time 0. Estimates are aligned with the truth."
+        told = "Arrows: velocities and (dashed) accelerations at time 0. Estimates are aligned with the truth. "
+        told += "Ellipsoids: one standard deviation of the bound, as many times as large as errors."
         return [*stopped, *missing, told]
 
     def handles(self) -> list[Handle]:
@@ -79,11 +86,25 @@ class AnchorlessPicture:
         estimators = self.run.estimators
         one = {name: each.position_errors for name, each in estimators.items() if len(each.position_errors)}
         each_time = {name: each.aligned_position_errors for name, each in estimators.items()}
-        shown = {name: values for name, values in each_time.items() if len(values)}
+        lines = drawing.lines_of(KINEMATICS, {name: values for name, values in each_time.items() if len(values)})
         return [
-            self._plot("Error, one alignment, m", drawing.lines_of(KINEMATICS, one)),
-            self._plot("Error, aligned at each t, m", drawing.lines_of(KINEMATICS, shown)),
+            self._plot("Error, one alignment, m", self._bound_lines(at_each=False) + drawing.lines_of(KINEMATICS, one)),
+            self._plot("Error, aligned at each t, m", self._bound_lines(at_each=True) + lines),
         ]
+
+    def readout(self, step: int) -> Table:
+        """Errors of the positions at a step, and of the motion at time 0, beside the bounds."""
+        rows = [_row_of(name, each, step) for name, each in self.run.estimators.items()]
+        orders = range(min(3, len(self.run.truth)))
+        for name, bound in self.bounds.items():
+            if isinstance(bound, str):
+                rows.append(Row(KINEMATICS_BOUNDS[name], (), bound))
+                continue
+            now = float(bound.position_rmse(self.times[step])[0])
+            at_start = [bound.coefficient_rmse(order) for order in orders]
+            rows.append(Row(KINEMATICS_BOUNDS[name], _padded(now, at_start)))
+        heads = ("position\nmm", "velocity\nmm/s", "accel.\nmm/s²")
+        return Table(((f"t = {self.times[step]:.3g} s", ("position\nmm",)), ("errors at t = 0", heads)), tuple(rows))
 
     def draw(self, canvas: Canvas, step: int, magnify: float) -> None:
         """The ways of the nodes, the distances, arrows at time 0, and the estimates joined to the truth."""
@@ -96,6 +117,7 @@ class AnchorlessPicture:
         crosses = [np.stack([now - size * axis, now + size * axis], axis=1) for axis in np.eye(3)]
         canvas.lines("/truth/nodes", np.concatenate(crosses), "truth", 3.0)
         self._draw_arrows(canvas)
+        self._draw_bound(canvas, step, magnify)
         for (name, each), rim in zip(self.run.estimators.items(), drawing.rims(len(self.run.estimators)), strict=True):
             errors = self._errors(each, step)
             if errors is None:
@@ -105,6 +127,17 @@ class AnchorlessPicture:
             known = np.isfinite(segments).all(axis=(1, 2))
             canvas.lines(f"/estimators/{name}/errors", segments[known], look.token, 1.5 + rim)
             canvas.marks(f"/estimators/{name}/marks", places[known], look, 1.0 + 0.25 * rim)
+
+    def _draw_bound(self, canvas: Canvas, step: int, magnify: float) -> None:
+        """An ellipsoid about each node: one standard deviation of the best that any estimator could do."""
+        known = [bound for bound in self.bounds.values() if not isinstance(bound, str)]
+        if not known:
+            return
+        places = self.motion.positions(self.times[step])[0]
+        nodes, dimension = places.shape
+        blocks = known[-1].position_covariance(self.times[step]).reshape(nodes, dimension, nodes, dimension)
+        for n, place in enumerate(places):
+            canvas.ellipsoid(f"/bound/{n}", blocks[n, :, n], place, magnify, "bound")
 
     def _draw_arrows(self, canvas: Canvas) -> None:
         places, *derivatives = shapes.lifted(self.motion.coefficients)
@@ -128,6 +161,13 @@ class AnchorlessPicture:
         truth = RelativeKinematics(self.run.truth).positions(self.run.stamps[nearest])[0]
         return np.asarray(each.snapshots[nearest] - (truth - truth.mean(axis=0)))
 
+    def _bound_lines(self, *, at_each: bool) -> tuple[Line, ...]:
+        found = {name: bound for name, bound in self.bounds.items() if not isinstance(bound, str)}
+        return tuple(
+            Line(KINEMATICS_BOUNDS[name], bound.position_rmse(self.times, at_each=at_each), 1.5)
+            for name, bound in found.items()
+        )
+
     def _plot(self, title: str, lines: tuple[Line, ...]) -> Plot:
         return Plot(title, self.times, lines)
 
@@ -139,7 +179,31 @@ def anchorless(wish: Wish) -> AnchorlessPicture:
         Error: in a sentence.
     """
     assert isinstance(wish.source, KinematicsScenario)
-    return AnchorlessPicture(wish, wish.source.run(wish.trial), wish.source.motion)
+    run = wish.source.run(wish.trial)
+    senses = any(senses for name, _, senses in kinematics_estimators() if name in run.estimators)
+    kinds = {"distances": False, **({"accelerometers": True} if senses else {})}
+    bounds = {kind: _bound(wish.source, accelerations) for kind, accelerations in kinds.items()}
+    return AnchorlessPicture(wish, run, wish.source.motion, bounds)
+
+
+def _bound(scenario: KinematicsScenario, accelerations: bool) -> KinematicsBound | str:
+    """The bound, or why there is none."""
+    try:
+        return scenario.bound(accelerations)
+    except Error as error:
+        return str(error)
+
+
+def _row_of(name: str, each: KinematicsEstimatorRun, step: int) -> Row:
+    if not len(each.coefficient_errors):
+        nothing = "finds B, no motion" if len(each.gram_errors) else "finds no motion, only each epoch"
+        return Row(KINEMATICS[name], (), each.failure or nothing)
+    return Row(KINEMATICS[name], _padded(float(each.position_errors[step]), each.coefficient_errors[:3].tolist()))
+
+
+def _padded(now: float, at_start: list[float]) -> tuple[float, ...]:
+    """Numbers of four columns in thousandths; NaN for orders that a motion does not have."""
+    return tuple(1e3 * value for value in [now, *at_start, *[np.nan] * (3 - len(at_start))])
 
 
 def anchorless_controls(panel: Panel) -> None:
@@ -161,6 +225,8 @@ def anchorless_controls(panel: Panel) -> None:
         panel.number("estimators.range_degree", "degree q of a range", step=1, least=2, most=16)
     with panel.folder("Nodes"):
         _nodes(panel)
+    with panel.folder("What distances cannot see"):
+        gauge_controls(panel)
 
 
 def _nodes(panel: Panel) -> None:

@@ -1,17 +1,30 @@
 """What the labs draw alike: the truth, the body, what estimators found of it."""
 
+from typing import Protocol
+
 import numpy as np
 
 from ...arrays import Flags, Floats
 from .. import shapes
 from ..canvas import Canvas
+from ..fans import fan_around
 from ..looks import Look
 from ..plots import Line
+from ..readout import root_mean_square
+
+
+class Stopped(Protocol):
+    """What may have failed: from which step on, and why."""
+
+    failure: tuple[int, str] | None
+
 
 LARGEST_ERROR = 0.08
 """Share of the scene that the largest error is drawn as, at most."""
 VISIBLE_SHARE, DRAWN_SHARE = 0.08, 0.15
 """A body smaller than the first share of the scene is too small to see and is drawn as large as the second."""
+FAN = 0.08
+"""How far the axes of fans reach beside the scene."""
 WIDEST_RIM = 3.0
 """How much wider than the last the first of many tracks is drawn, pixels."""
 
@@ -61,6 +74,19 @@ def draw_track(canvas: Canvas, name: str, look: Look, positions: Floats, step: i
     canvas.marks(f"/estimators/{name}/mark", shapes.lifted(positions[step : step + 1]), look, 1.0 + 0.25 * rim)
 
 
+def draw_fans(canvas: Canvas, name: str, token: str, orientation: Floats, covariance: Floats, centre: Floats) -> None:
+    """The 95 % fans of the body's axes about a centre (D, m), by the covariance of an orientation."""
+    if not (np.isfinite(orientation).all() and np.isfinite(centre).all()):
+        return
+    reach, middle = FAN * canvas.unit, shapes.lifted(centre)
+    for i, column in enumerate(shapes.lifted(orientation.T)):
+        axis = column / np.linalg.norm(column)
+        ring = middle + reach * fan_around(axis, covariance)
+        if len(ring):
+            spoke = np.array([[middle, middle + reach * axis]])
+            canvas.lines(f"/fans/{name}/{i}", np.concatenate([shapes.path(ring), spoke]), token, 1.5)
+
+
 def draw_ranges(canvas: Canvas, anchors: Floats, sensors: Floats, present: Flags) -> None:
     """A line for each range (M x N) that was measured."""
     canvas.lines("/ranges", shapes.between(anchors, sensors, present), "range", 1.0)
@@ -77,3 +103,17 @@ def lines_of(looks: dict[str, Look], values: dict[str, Floats], factor: float = 
     shown = {name: factor * each for name, each in values.items() if np.isfinite(each).any()}
     widths = rims(len(shown))
     return tuple(Line(looks[name], each, 1.5 + rim) for (name, each), rim in zip(shown.items(), widths, strict=True))
+
+
+def readings(angles: Floats, positions: Floats, step: int) -> tuple[float, float, float, float]:
+    """Angle (deg) and position (m) at a step, and root mean squares over the run."""
+    degrees = float(np.degrees(1.0))
+    overall = degrees * root_mean_square(angles), root_mean_square(positions)
+    return degrees * float(angles[step]), float(positions[step]), *overall
+
+
+def ended(part: Stopped, step: int) -> str:
+    """That an estimator had stopped before a step; nothing where it runs."""
+    if part.failure is None or step < part.failure[0]:
+        return ""
+    return f"stopped at step {part.failure[0] + 1}"

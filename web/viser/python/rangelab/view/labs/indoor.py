@@ -1,21 +1,26 @@
 """An IMU and three transmitters on a body among beacons: filters side by side."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from ...arrays import Floats
-from ...indoor import IndoorRun, IndoorScenario
+from ...indoor import IndoorFilterRun, IndoorRun, IndoorScenario
 from .. import shapes
 from ..canvas import Canvas
 from ..looks import FILTERS
 from ..panel import DEGREES, Document, Panel
 from ..picture import Change, Handle, Wish
 from ..plots import Line, Plot, expected
+from ..readout import Row, Table
 from . import drawing
+from .averages import Averages
+from .averaging import averaging_controls
 from .choices import Chosen
-from .track_panel import seed_controls
+from .indoor_averages import averaged_plots, averaged_readout
+from .track_panel import fan_control, seed_controls
 
 PATHS = (
     ("u", "a turn back (U)"),
@@ -53,6 +58,11 @@ class IndoorPicture:
         """Beacons and the true track."""
         return np.concatenate([self.run.beacons, self.run.truth_positions])
 
+    @cached_property
+    def averages(self) -> Averages | None:
+        """Over many trials, where they are wished for."""
+        return None if self.wish.study is None else Averages(self.wish.study)
+
     @property
     def magnification(self) -> float:
         """So that the largest error is seen and stays in the scene."""
@@ -80,7 +90,9 @@ class IndoorPicture:
         return [_beacon(m, np.array(place)) for m, place in enumerate(source.to_dict()["beacons"])]
 
     def plots(self) -> list[Plot]:
-        """The page's plots of one run."""
+        """The page's plots of one run, or of the averages that there are."""
+        if self.averages is not None:
+            return averaged_plots(self.averages, self.times)
         filters, degrees, lines = self.run.filters, float(np.degrees(1.0)), drawing.lines_of
         angles = {name: each.orientation_errors for name, each in filters.items()}
         positions = {name: each.position_errors for name, each in filters.items()}
@@ -92,6 +104,14 @@ class IndoorPicture:
             self._plot("Largest singular value of R", lines(FILTERS, stretch)),
             self._plot("NEES / dof", (*lines(FILTERS, nees), expected(self.times))),
         ]
+
+    def readout(self, step: int) -> Table:
+        """Errors at a step with the largest singular value of R, and root mean squares over the run with its NEES."""
+        if self.averages is not None:
+            return averaged_readout(self.averages, step, list(self.run.filters))
+        rows = tuple(self._row(name, each, step) for name, each in self.run.filters.items())
+        heads = ("orient.\ndeg", "position\nm")
+        return Table((("at this step", (*heads, "‖R‖")), ("RMSE of the run", (*heads, "NEES\n÷ dof"))), rows)
 
     def draw(self, canvas: Canvas, step: int, magnify: float) -> None:
         """Track and body, estimates with their ellipsoids."""
@@ -105,6 +125,16 @@ class IndoorPicture:
                 canvas.lines(f"/estimators/{name}/body", shapes.pairs(corners), look.token, 2.0)
                 covariance = each.position_covariances[step]
                 canvas.ellipsoid(f"/estimators/{name}/ellipsoid", covariance, positions[step], magnify, look.token)
+                if self.wish.fans:
+                    turns = each.rotation_covariances[step]
+                    drawing.draw_fans(canvas, name, look.token, each.orientations[step], turns, positions[step])
+
+    def _row(self, name: str, each: IndoorFilterRun, step: int) -> Row:
+        found = drawing.readings(each.orientation_errors, each.position_errors, step)
+        nees = each.nees[np.isfinite(each.nees)]
+        mean = float(nees.mean()) if len(nees) else float("nan")
+        numbers = (*found[:2], float(each.singular_values[step, 0]), *found[2:], mean)
+        return Row(FILTERS[name], numbers, drawing.ended(each, step))
 
     def _plot(self, title: str, lines: tuple[Line, ...]) -> Plot:
         return Plot(title, self.times, lines)
@@ -127,6 +157,9 @@ def indoor_controls(panel: Panel) -> None:
         seed_controls(panel)
     with panel.folder("Filters", opened=True):
         panel.several("filters.enabled", [(name, look.label) for name, look in FILTERS.items()])
+        fan_control(panel)
+    with panel.folder("Averages over trials", opened=True):
+        averaging_controls(panel)
     with panel.folder("Ranges", opened=True):
         panel.number("ranging.sigma", "range σ, m", step=0.01, least=0.0)
         panel.number("ranging.interval", "between fixes, s", step=0.1, least=0.0)

@@ -14,6 +14,7 @@ from ..looks import LOCALIZER_BOUNDS, LOCALIZERS
 from ..panel import Panel
 from ..picture import Handle, Wish
 from ..plots import Line, Plot
+from ..readout import Row, Table, root_mean_square
 from . import drawing
 from .anchors import anchor_controls
 from .noise import noise_controls
@@ -94,6 +95,19 @@ class LocalizePicture:
             self._sweep("Position RMSE, m", "rmse_position", "position", 1.0),
         ]
 
+    def readout(self, step: int) -> Table:
+        """Errors of a trial, root mean squares over all of them, and the bounds."""
+        rows = [self._row(i, name, step) for i, name in enumerate(self._names())]
+        bounds = {bound["name"]: bound for bound in self.run[0]["bounds"]}
+        for name in self._shown_bounds():
+            angle, position, sensors = (_number(bounds[name][key]) for key in ("angle", "position", "sensors"))
+            numbers = (np.degrees(angle), position, sensors)
+            rows.append(Row(LOCALIZER_BOUNDS[name], (*numbers[:2], *numbers, np.nan)))
+        heads = ("orient.\ndeg", "position\nm")
+        averaged = f"RMSE of {len(self.run)} trials"
+        groups = (("this trial", heads), (averaged, (*heads, "sensors\nm", "mirrored\n%")))
+        return Table(groups, tuple(rows))
+
     def draw(self, canvas: Canvas, step: int, magnify: float) -> None:
         """The body, the estimates of one trial, the positions of all others as dots."""
         run = self.run[step]
@@ -117,6 +131,14 @@ class LocalizePicture:
                 segments = shapes.dashed(shapes.divided(segments, 12))
             canvas.lines(f"/estimators/{each['name']}/body", segments, look.token, 2.0)
             canvas.marks(f"/estimators/{each['name']}/mark", shapes.lifted(position[None]), look)
+
+    def _row(self, index: int, name: str, step: int) -> Row:
+        angles, positions = (self._errors(key)[name] for key in ("angle", "position"))
+        failure = self.run[step]["estimators"][index]["failure"]
+        mirrored = np.nanmean(self._column(index, "reflected")) if np.isfinite(angles).any() else np.nan
+        overall = (root_mean_square(self._column(index, "sensors_error")), 100 * float(mirrored))
+        found = (*drawing.readings(angles, positions, step), *overall)
+        return Row(LOCALIZERS[name], found, "no estimate in this trial" if failure else "")
 
     def _names(self) -> list[str]:
         return [each["name"] for each in self.run[0]["estimators"]]
@@ -169,6 +191,10 @@ class LocalizePicture:
         shown = [name for name in self._shown_bounds() if bounds.get(name) is not None]
         count = len(self.run)
         return tuple(Line(LOCALIZER_BOUNDS[name], np.full(count, factor * bounds[name]), 1.5) for name in shown)
+
+
+def _number(value: float | None) -> float:
+    return np.nan if value is None else value
 
 
 def localize(wish: Wish) -> LocalizePicture:

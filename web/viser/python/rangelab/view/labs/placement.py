@@ -1,5 +1,6 @@
 """Where anchors should stand: a search for better places in the background, and the best place for one more."""
 
+import json
 import os
 import threading
 from collections.abc import Callable
@@ -13,9 +14,12 @@ from ...scenario import Scenario
 from ..panel import Panel
 from ..values import put
 from .anchors import with_anchor
+from .placement_boxes import box_controls
 
 Improved = tuple[Scenario, dict[str, Any]]
 RESTARTS = 8
+AT_BEST = 99.95
+"""Per cent that are told as all."""
 
 CRITERIA = (
     ("a", "A: an error in all directions"),
@@ -32,6 +36,15 @@ class Search:
     def __init__(self, told: Callable[[float, str], None]) -> None:
         self._told = told
         self._running: threading.Event | None = None
+        self._best: tuple[str, float] | None = None
+
+    def share_of_best(self, scenario: Scenario) -> str:
+        """How good its anchors stand beside the best that was found; empty where nothing was."""
+        value = scenario.advise()["value"]
+        if self._best is None or self._best[0] != _asked_of(scenario) or not value:
+            return ""
+        share = 100 * self._best[1] / value
+        return "You are at the best found." if share >= AT_BEST else f"You are at {share:.0f} % of the best found."
 
     @property
     def running(self) -> bool:
@@ -68,6 +81,9 @@ class Search:
         if best is None:
             self._told(0.0, sentence)
             return
+        asked = _asked_of(scenario)
+        known = [self._best[1]] if self._best is not None and self._best[0] == asked else []
+        self._best = asked, min([best[1]["after"], *known])
         if not found(best):
             self._told(0.0, "The scene has changed: the search was stopped.")
             return
@@ -93,6 +109,15 @@ class Search:
         return None if best is None else best[2]
 
 
+def _asked_of(scenario: Scenario) -> str:
+    """All that decides what is best, without where the anchors that move happen to be."""
+    document = scenario.to_dict()
+    fixed, field = document["placement"]["fixed"], document["field"]
+    document["anchors"] = [anchor if m in fixed else None for m, anchor in enumerate(document["anchors"])]
+    document |= {"field": [field["form"], field["headings"]], "redraw_anchors": None, "name": ""}
+    return json.dumps(document)
+
+
 def value_of(value: float | None, unit: str) -> str:
     """In the unit in which it is read best."""
     if value is None:
@@ -104,7 +129,9 @@ def value_of(value: float | None, unit: str) -> str:
 
 def placement_controls(panel: Panel) -> None:
     """The search, the best next anchor, and what counts."""
-    said = panel.gui.add_markdown("Anchors move within the box that they span, but for those that stay.")
+    said = panel.gui.add_markdown(
+        "Anchors move within the box that they span, or the one they are given, but for those that stay."
+    )
     bar = panel.gui.add_progress_bar(0.0)
 
     def told(share: float, sentence: str) -> None:
@@ -124,9 +151,22 @@ def placement_controls(panel: Panel) -> None:
 
     panel.button("Improve, or cancel", improve, hint="looks for better places of the anchors")
     panel.button("Add the best next anchor", lambda: _add_best(panel, told), hint="in the plane of the bound")
+    panel.note(lambda _: _share(panel, search))
+    panel.tick(
+        "arrows to better places",
+        lambda _: panel.studio.wish.advice,
+        lambda ticked: panel.studio.ask(advice=ticked),
+        hint="the longest where it helps most",
+    )
     panel.choice("placement.criterion", "criterion", CRITERIA)
     panel.choice("placement.target", "bound of the", TARGETS)
     panel.choice("placement.over", "places count by", PLACES)
+    box_controls(panel)
+
+
+def _share(panel: Panel, search: Search) -> str:
+    document = panel.studio.document
+    return search.share_of_best(document) if isinstance(document, Scenario) else ""
 
 
 def _take(panel: Panel, asked: Scenario, best: Improved) -> bool:

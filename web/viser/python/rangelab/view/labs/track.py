@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from dataclasses import field as entry
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -13,11 +14,17 @@ from ...run import EstimatorRun, Run
 from ...scenario import Scenario
 from .. import shapes
 from ..canvas import Canvas
-from ..looks import TRACK_BOUNDS, TRACKERS
+from ..looks import TRACK_BOUNDS, TRACKERS, Look
 from ..picture import Handle, Wish
 from ..plots import Line, Plot, expected
+from ..readout import Row, Table
 from . import drawing
+from .averages import Averages
+from .field_panel import in_angles
 from .obstacles import draw_obstacles, obstacle_handles
+from .placement_boxes import downhill, draw_arrows, draw_boxes
+from .track_averages import averaged_plots, averaged_readout
+from .way_points import points_of
 
 FIELD_CELLS = 48
 
@@ -31,6 +38,8 @@ class TrackPicture:
     field: Field | None
     document: dict[str, Any] = entry(default_factory=dict)
     """The scenario; empty where the run is one of a recording."""
+    advice: dict[str, Any] | None = None
+    """How good the places of the anchors are and in which way they get better, where it is wished for."""
 
     @property
     def name(self) -> str:
@@ -46,6 +55,11 @@ class TrackPicture:
     def outline(self) -> Floats:
         """Anchors and the true track."""
         return np.concatenate([self.run.anchors, self.run.truth_positions])
+
+    @cached_property
+    def averages(self) -> Averages | None:
+        """Over many trials, where they are wished for."""
+        return None if self.wish.study is None else Averages(self.wish.study)
 
     @property
     def magnification(self) -> float:
@@ -75,7 +89,9 @@ class TrackPicture:
         return [*anchor_handles(document), *_way_points(document), *obstacle_handles(document)]
 
     def plots(self) -> list[Plot]:
-        """The page's plots of one run."""
+        """The page's plots of one run, or of the averages that there are."""
+        if self.averages is not None:
+            return averaged_plots(self.averages, self.times, self._shown_bounds())
         trackers = self.run.estimators
         degrees = float(np.degrees(1.0))
         angles = {name: each.orientation_errors for name, each in trackers.items()}
@@ -92,6 +108,17 @@ class TrackPicture:
             self._plot("NIS / dof, from step 2 on", (*lines(TRACKERS, nis), expected(self.times))),
         ]
 
+    def readout(self, step: int) -> Table:
+        """Errors and bounds at a step, and root mean squares over the run."""
+        if self.averages is not None:
+            return averaged_readout(self.averages, step, list(self.run.estimators), self._shown_bounds())
+        rows = [self._row(TRACKERS[name], each, step) for name, each in self.run.estimators.items()]
+        for name in self._shown_bounds():
+            bound = self.run.bounds[name]
+            rows.append(Row(TRACK_BOUNDS[name], drawing.readings(bound.orientation, bound.position, step)))
+        heads = ("orient.\ndeg", "position\nm")
+        return Table((("at this step", heads), ("RMSE of the run", heads)), tuple(rows))
+
     def draw(self, canvas: Canvas, step: int, magnify: float) -> None:
         """Track, body, ranges, estimates with their ellipsoids, obstacles, the field."""
         run, truth = self.run, self.run.truth_positions
@@ -99,12 +126,19 @@ class TrackPicture:
             drawing.draw_truth(canvas, run.truth_orientations, truth, self.body, step)
             sensors = shapes.body(run.truth_orientations[step], truth[step], self.body)
             drawing.draw_ranges(canvas, run.anchors, sensors, run.present[step])
+            if self.wish.fans and self._shown_bounds():
+                turns = run.bounds[self._shown_bounds()[0]].rotation_covariances[step]
+                drawing.draw_fans(canvas, "bound", "bound", run.truth_orientations[step], turns, truth[step])
         for (name, each), rim in zip(run.estimators.items(), drawing.rims(len(run.estimators)), strict=True):
             self._draw_estimate(canvas, name, each, step, magnify, rim)
         if self.document:
             draw_obstacles(canvas, self.document, self.outline)
+            draw_boxes(canvas, self.document)
+        if self.advice is not None:
+            ways = downhill(np.array(self.advice["gradient"]), self.document["placement"]["fixed"])
+            draw_arrows(canvas, run.anchors, ways)
         if self.field is not None:
-            canvas.field("/field", self.field)
+            canvas.field("/field", self.field, self._field_limit)
 
     def _draw_estimate(
         self, canvas: Canvas, name: str, each: EstimatorRun, step: int, magnify: float, rim: float
@@ -119,16 +153,27 @@ class TrackPicture:
             canvas.lines(f"/estimators/{name}/body", shapes.pairs(shapes.lifted(corners)), look.token, 2.0)
             covariance = each.position_covariances[step]
             canvas.ellipsoid(f"/estimators/{name}/ellipsoid", covariance, positions[step], magnify, look.token)
+            if self.wish.fans:
+                turns = each.rotation_covariances[step]
+                drawing.draw_fans(canvas, name, look.token, each.orientations[step], turns, positions[step])
+
+    def _row(self, look: Look, each: EstimatorRun, step: int) -> Row:
+        return Row(
+            look, drawing.readings(each.orientation_errors, each.position_errors, step), drawing.ended(each, step)
+        )
 
     def _plot(self, title: str, lines: tuple[Line, ...]) -> Plot:
         return Plot(title, self.times, lines)
 
     def _bounds(self, of: str, factor: float) -> tuple[Line, ...]:
         """The bounds that say something about those that run."""
+        values = {name: factor * getattr(self.run.bounds[name], of) for name in self._shown_bounds()}
+        return tuple(Line(TRACK_BOUNDS[name], each, 1.5) for name, each in values.items())
+
+    def _shown_bounds(self) -> list[str]:
         run = self.run
         names = [name for name in TRACK_BOUNDS if name in run.bounds]
-        shown = [name for name in names if name != "posterior_crb_raw" or "eskf-raw" in run.estimators]
-        return tuple(Line(TRACK_BOUNDS[name], factor * getattr(run.bounds[name], of), 1.5) for name in shown)
+        return [name for name in names if name != "posterior_crb_raw" or "eskf-raw" in run.estimators]
 
     def _events(self, defects: dict[str, Floats]) -> tuple[Line, ...]:
         """Where the ET-KF projected."""
@@ -142,15 +187,19 @@ class TrackPicture:
     def _field_sentence(self) -> str:
         if self.field is None or not np.isfinite(self.field.values).any():
             return ""
-        source = self.wish.source
-        assert isinstance(source, Scenario)
-        document = source.to_dict()
-        subject, of = document["field"]["subject"], document["field"]["quantity"]
-        of = of if subject == "body" else document["placement"]["target"]
-        factor, unit = (float(np.degrees(1.0)), "deg") if of == "orientation" else (1e3, "mm")
+        angles = in_angles(self.document)
+        of, factor, unit = ("orientation", float(np.degrees(1.0)), "deg") if angles else ("position", 1e3, "mm")
         low, high = factor * np.nanmin(self.field.values), factor * np.nanmax(self.field.values)
-        where = "" if subject == "body" else ", one more anchor there"
-        return f"Bound of the {of}{where}: {low:.3g} {unit} (dark) to {high:.3g} {unit} (bright)."
+        where = "" if self.document["field"]["subject"] == "body" else ", one more anchor there"
+        told = f"Bound of the {of}{where}: {low:.3g} {unit} (dark) to {high:.3g} {unit} (bright)."
+        limit = self._field_limit
+        return told if limit is None else f"{told} Hatched: worse than {factor * limit:.3g} {unit}."
+
+    @property
+    def _field_limit(self) -> float | None:
+        """What is worse is hatched."""
+        limit: float | None = self.document["field"]["angle_limit" if in_angles(self.document) else "position_limit"]
+        return limit
 
 
 def track(wish: Wish) -> TrackPicture:
@@ -165,7 +214,9 @@ def track(wish: Wish) -> TrackPicture:
         return TrackPicture(wish, source.run(settings), None)
     assert isinstance(source, Scenario)
     found = source.field(FIELD_CELLS) if wish.field else None
-    return TrackPicture(wish, source.run(wish.trial), found, source.to_dict())
+    document = source.to_dict()
+    advice = source.advise() if wish.advice and document["redraw_anchors"] is None else None
+    return TrackPicture(wish, source.run(wish.trial), found, document, advice)
 
 
 def _share(each: EstimatorRun, of: str) -> Floats:
@@ -194,8 +245,7 @@ def anchor_handles(document: dict[str, Any]) -> list[Handle]:
 
 def _way_points(document: dict[str, Any]) -> list[Handle]:
     """The points of a path drawn by hand."""
-    points = (document["motion"]["path"] or {}).get("points", [])
-    return [_way_point(i, np.array(place)) for i, place in enumerate(points)]
+    return [_way_point(i, np.array(place)) for i, place in enumerate(points_of(document))]
 
 
 def _way_point(i: int, place: Floats) -> Handle:

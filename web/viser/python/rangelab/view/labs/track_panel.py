@@ -7,8 +7,11 @@ import numpy as np
 
 from ..looks import TRACKERS
 from ..panel import DEGREES, Document, Panel
+from .averaging import averaging_controls
 from .noise import noise_controls
+from .orientation import orientation_control
 from .paths import PATHS, with_path
+from .way_points import way_point_controls
 
 Options = Sequence[tuple[str, str]]
 
@@ -23,7 +26,10 @@ def track_controls(panel: Panel) -> None:
         panel.choice("weighting", "weighting", (("common", "per anchor"), ("per_pair", "per range")))
     with panel.folder("Estimators", opened=True):
         panel.several("estimators.enabled", [(name, look.label) for name, look in TRACKERS.items()])
+        fan_control(panel)
         panel.number("estimators.threshold.epsilon", "ET threshold ε", step=0.01, least=0.0)
+    with panel.folder("Averages over trials", opened=True):
+        averaging_controls(panel)
     with panel.folder("Estimator settings"):
         _estimator_settings(panel)
     with panel.folder("Time and seed", opened=True):
@@ -38,6 +44,11 @@ def track_controls(panel: Panel) -> None:
         _motion(panel)
     with panel.folder("Start and first guess"):
         _start(panel)
+
+
+def fan_control(panel: Panel) -> None:
+    """What is claimed of the orientation, drawn."""
+    panel.tick("fans of the axes, 95 %", lambda _: panel.studio.wish.fans, lambda ticked: panel.studio.ask(fans=ticked))
 
 
 def seed_controls(panel: Panel) -> None:
@@ -75,6 +86,7 @@ def _motion(panel: Panel) -> None:
     panel.number("motion.path.period", "period, s", step=0.5, least=0.0)
     panel.number("motion.path.climb", "climb a turn, m", step=0.1)
     panel.choice("motion.path.side", "turns", (("left", "left"), ("right", "right")))
+    way_point_controls(panel)
     panel.vector("motion.velocity", "velocity, m/s", step=0.1)
     panel.vector("motion.angular_velocity", "turn rate, deg/s", factor=DEGREES, step=1.0)
     panel.number("motion.sigma_omega", "turn rate disturbed by σ_ω, deg/s", factor=DEGREES, step=0.1, least=0.0)
@@ -88,6 +100,8 @@ def _kind(document: Document) -> str:
 
 def _start(panel: Panel) -> None:
     panel.vector("start.position", "position, m", step=0.1)
+    orientation_control(panel, "start.orientation", "orientation")
     panel.vector("initial.position", "guessed position, m", step=0.1)
+    orientation_control(panel, "initial.orientation", "guessed orientation")
     panel.number("initial.covariance", "variance of the guess, of each entry of [Q | t]", step=1.0, least=0.0)
     panel.button("Guess the true start", lambda: panel.edit("guess", guessing_the_truth))

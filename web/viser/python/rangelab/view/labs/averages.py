@@ -1,0 +1,55 @@
+"""Averages over many trials as lines with bands and as numbers of the read-out."""
+
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from ...arrays import Floats
+from ...studies import Curve, Study
+from ..looks import Look
+from ..plots import Line
+from . import drawing
+
+
+class Averages:
+    """The figures of a study, step by step."""
+
+    def __init__(self, study: Study) -> None:
+        self.trials = study.trials
+        """How many were run."""
+        self._report = study.to_dict()
+
+    def curve(self, name: str, figure: str, factor: float = 1.0) -> Curve:
+        """A figure of an estimator or bound along the steps, so many times as large."""
+        found = [step.get(figure) or {} for step in self._steps[name]]
+
+        def column(key: str) -> Floats:
+            values = [each.get(key) for each in found]
+            return factor * np.array([np.nan if value is None else value for value in values])
+
+        return Curve(column("value"), column("standard_error"))
+
+    def summary(self, name: str) -> dict[str, Any]:
+        """The figures over all steps of a filter."""
+        return next(part["summary"] for part in self._report["filters"] if part["name"] == name)
+
+    def lines(self, looks: dict[str, Look], figure: str, factor: float = 1.0) -> tuple[Line, ...]:
+        """A line for each of those that have the figure, with a band of two standard errors on either side."""
+        curves = {name: self.curve(name, figure, factor) for name in looks if name in self._steps}
+        plain = drawing.lines_of(looks, {name: curve.values for name, curve in curves.items()})
+        errors = {looks[name]: curve.standard_errors for name, curve in curves.items()}
+        return tuple(Line(line.look, line.values, line.width, spread=2 * errors[line.look]) for line in plain)
+
+    @cached_property
+    def _steps(self) -> dict[str, list[dict[str, Any]]]:
+        report = self._report
+        parts = [*report.get("estimators", []), *report.get("filters", []), *report.get("bounds", [])]
+        return {part["name"]: part.get("steps") or part["summary"]["steps"] for part in parts}
+
+
+def without(line: Line, steps: int) -> Line:
+    """A line from a later step on."""
+    values = line.values.copy()
+    values[:steps] = np.nan
+    return Line(line.look, values, line.width, spread=line.spread)
