@@ -38,6 +38,13 @@ describe("every figure", () => {
     expect(specs.map(({ unit }) => unit)).toEqual(["m²", "m²/s", "m²/s²"]);
   });
 
+  test("has shares that end at 1, and no other axis that does", () => {
+    const ceilings = (name: string) =>
+      plotsOf(computed(name, 2).report).map(({ ceiling }) => ceiling ?? null);
+    expect(ceilings("indoor-9")).toEqual([1, 1, 1, 1]);
+    expect(ceilings("kinematics-1")).toEqual([null, null, null]);
+  });
+
   test("is drawn with command, scenarios and claims inside", () => {
     const { report } = computed("localization-6", 4);
     const specs = plotsOf(report);

@@ -22,12 +22,14 @@ function plotOf(figure: string, { name, title, x, y, curves }: Panel): PlotSpec 
     bands: [],
     threshold: null,
     scale: y.scale,
+    // No share is above 1, whatever its band says.
+    ...(y.label.startsWith("share") ? { ceiling: 1 } : {}),
     note: null,
   };
 }
 
 /** The crate writes exponents in ASCII. */
-function raised(text: string): string {
+export function raised(text: string): string {
   return text.replaceAll("^2", "²").replaceAll("^3", "³");
 }
 
