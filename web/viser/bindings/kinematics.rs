@@ -100,8 +100,8 @@ impl KinematicsBound {
         times: Numbers,
         at_each: bool,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let rmse = |&time: &f64| self.0.position_rmse(time, alignment(at_each));
-        let found = compute(py, || times.entries.iter().map(rmse).collect::<rangelab::Result<Vec<_>>>())?;
+        let [at_zero, each] = compute(py, || self.0.position_rmses(&times.entries))?;
+        let found = if at_each { each } else { at_zero };
         array(py, &[found.len()], found)
     }
 
