@@ -125,23 +125,20 @@ function anchorlessBounds(scenario: KinematicsScenario, counts: Uint32Array): Ki
 }
 
 /** The bounds of the scenario asked about last: its report and its covariances are read one after the other. */
-let kept: { text: string; generation: number; bounds: wasm.AnchorlessBounds } | null = null;
+let kept: { text: string; bounds: Resident<wasm.AnchorlessBounds> } | null = null;
 
-function boundsOf(scenario: KinematicsScenario): wasm.AnchorlessBounds {
-  const [text, { generation }] = [JSON.stringify(scenario), anchorlessModule];
-  if (kept?.generation === generation) {
-    if (kept.text === text) return kept.bounds;
-    kept.bounds.free();
-  }
+function boundsOf(scenario: KinematicsScenario): Resident<wasm.AnchorlessBounds> {
+  const text = JSON.stringify(scenario);
+  if (kept?.text === text && !kept.bounds.lost) return kept.bounds;
+  kept?.bounds.free();
   kept = null;
-  kept = { text, generation, bounds: new wasm.AnchorlessBounds(text) };
+  kept = { text, bounds: new Resident(anchorlessModule, () => new wasm.AnchorlessBounds(text)) };
   return kept.bounds;
 }
 
 /** The bounds at the scenario's own stamps. Throws an `Error` with a sentence. */
 export function anchorlessOwnBounds(scenario: KinematicsScenario): KinematicsBounds {
-  const text = anchorlessModule.call(() => boundsOf(scenario).reports());
-  return boundsFrom(JSON.parse(text));
+  return boundsFrom(JSON.parse(boundsOf(scenario).use((bounds) => bounds.reports())));
 }
 
 /** The bound on the covariance of each node's position at a time (s), m²: N x D x D. Throws where there is none. */
@@ -150,7 +147,7 @@ export function anchorlessCovariances(
   accelerometers: boolean,
   time: number,
 ): Float64Array {
-  return anchorlessModule.call(() => boundsOf(scenario).positions(accelerometers, time));
+  return boundsOf(scenario).use((bounds) => bounds.positions(accelerometers, time));
 }
 
 /** The same of the tips of the arrows of the l-th derivative, drawn `factor` (s^l) long. Throws where there is none. */
@@ -160,7 +157,7 @@ export function anchorlessTipCovariances(
   l: number,
   factor: number,
 ): Float64Array {
-  return anchorlessModule.call(() => boundsOf(scenario).tips(accelerometers, l, factor));
+  return boundsOf(scenario).use((bounds) => bounds.tips(accelerometers, l, factor));
 }
 
 /** A study's pieces start at multiples of this. */

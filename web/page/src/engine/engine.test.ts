@@ -55,6 +55,16 @@ describe("after a trap", () => {
     expect(engine.track(room)).toEqual(before);
   });
 
+  test("a study is lost with its instance at once, whoever calls next", () => {
+    const room = engine.preset("room");
+    const study = new engine.StudySum(room);
+    traps = true;
+    expect(() => engine.track(room)).toThrow(engine.EngineTrap);
+    traps = false;
+    expect(() => study.read()).toThrow(engine.EngineRestarted);
+    study.free();
+  });
+
   test("a run that breaks while it is read is a trap as well", () => {
     const before = engine.track(engine.preset("room"));
     readTraps = true;

@@ -12,10 +12,9 @@ interface Glue {
 
 /** A WebAssembly module of the engine and its one instance in this thread. */
 export class EngineModule {
-  /** Counts restarts: an object of an earlier instance must not reach into the memory of this one. */
+  /** Counts the instances that trapped: an object of an earlier one must not reach into the memory of the next. */
   generation = 0;
-  /** Whether the instance trapped. */
-  broken = false;
+  #broken = false;
   #compiled: WebAssembly.Module | null = null;
   #loading: Promise<void> | null = null;
 
@@ -44,12 +43,13 @@ export class EngineModule {
 
   /** Calls into the instance, a fresh one after a trap; what goes wrong is an `Error` whose message is a sentence. */
   call<T>(call: () => T): T {
-    if (this.broken) this.#restart();
+    if (this.#broken) this.#restart();
     try {
       return call();
     } catch (error) {
       if (error instanceof WebAssembly.RuntimeError) {
-        this.broken = true;
+        this.#broken = true;
+        this.generation += 1;
         throw new EngineTrap(TRAPPED, { cause: error });
       }
       if (error instanceof Error) throw error;
@@ -59,8 +59,7 @@ export class EngineModule {
 
   #restart(): void {
     this.glue.__wbg_reset_state();
-    this.generation += 1;
-    this.broken = false;
+    this.#broken = false;
   }
 
   async #start(module?: WebAssembly.Module): Promise<void> {

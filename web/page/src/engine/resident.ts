@@ -16,16 +16,19 @@ export class Resident<T extends { free(): void }> {
     this.#generation = module.generation;
   }
 
+  /** Whether it went with its instance. */
+  get lost(): boolean {
+    return this.#generation !== this.module.generation;
+  }
+
   /** Reads or changes it; throws `EngineRestarted` where it is lost. */
   use<R>(work: (object: T) => R): R {
-    if (this.#generation !== this.module.generation)
-      throw new EngineRestarted("The engine had to be started again meanwhile.");
+    if (this.lost) throw new EngineRestarted("The engine had to be started again meanwhile.");
     return this.module.call(() => work(this.#object));
   }
 
-  /** What a broken or an earlier instance holds goes with that instance. */
   free(): void {
-    if (this.#generation === this.module.generation && !this.module.broken) this.#object.free();
+    if (!this.lost) this.#object.free();
   }
 
   /** What is made of an object that nobody needs afterwards. */
