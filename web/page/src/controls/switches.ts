@@ -9,7 +9,7 @@ export interface Switch<Name extends string> extends Pick<PlotLine, "label" | "t
   readonly dash?: readonly number[];
 }
 
-export interface SwitchGroup<Name extends string> {
+export interface SwitchGroup<Entry extends Switch<string>> {
   readonly title?: string;
-  readonly entries: readonly Switch<Name>[];
+  readonly entries: readonly Entry[];
 }

@@ -1,4 +1,4 @@
-import type { Switch } from "../../controls/switches";
+import type { Switch, SwitchGroup } from "../../controls/switches";
 import type { KinematicsName } from "../../generated/KinematicsName";
 import type { PlotLine } from "../../plots/spec";
 import type { Shape } from "../../scene/draw-list";
@@ -8,11 +8,6 @@ export interface KinematicsEstimator extends Switch<KinematicsName> {
   /** Whether it reads accelerometers. */
   readonly senses: boolean;
   readonly dash: readonly number[];
-}
-
-export interface EstimatorGroup {
-  readonly title: string;
-  readonly estimators: readonly KinematicsEstimator[];
 }
 
 const [DASH, LONG, DOTS] = [
@@ -46,18 +41,18 @@ function solvers(algorithm: 1 | 2, token: string, marks: readonly Shape[]): Kine
   ];
 }
 
-export const GROUPS: readonly EstimatorGroup[] = [
+export const GROUPS: readonly SwitchGroup<KinematicsEstimator>[] = [
   {
     title: "Algorithm 1: distances",
-    estimators: solvers(1, "kf", ["square", "triangle", "diamond", "cross"]),
+    entries: solvers(1, "kf", ["square", "triangle", "diamond", "cross"]),
   },
   {
     title: "Algorithm 2: and accelerometers",
-    estimators: solvers(2, "ortho", ["triangle", "square", "ring", "cross"]),
+    entries: solvers(2, "ortho", ["triangle", "square", "ring", "cross"]),
   },
   {
     title: "Beyond the paper",
-    estimators: [
+    entries: [
       {
         name: "snapshot-sync",
         label: "Snapshot sync",
@@ -107,7 +102,7 @@ export const GROUPS: readonly EstimatorGroup[] = [
   },
   {
     title: "Baselines",
-    estimators: [
+    entries: [
       {
         name: "multidimensional-scaling",
         label: "MDS of each epoch",
@@ -130,7 +125,7 @@ export const GROUPS: readonly EstimatorGroup[] = [
   },
 ];
 
-export const ESTIMATORS: readonly KinematicsEstimator[] = GROUPS.flatMap(({ estimators }) => estimators);
+export const ESTIMATORS: readonly KinematicsEstimator[] = GROUPS.flatMap(({ entries }) => entries);
 export const ORDER = ESTIMATORS.map(({ name }) => name);
 /** Switched on with the accelerometers. */
 export const SENSING_FIRST: readonly KinematicsName[] = [

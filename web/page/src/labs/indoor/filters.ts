@@ -1,4 +1,4 @@
-import type { Switch } from "../../controls/switches";
+import type { Switch, SwitchGroup } from "../../controls/switches";
 import type { FilterName } from "../../generated/FilterName";
 import type { PlotLine } from "../../plots/spec";
 
@@ -7,18 +7,13 @@ export interface Filter extends Switch<FilterName> {
   readonly dash: readonly number[];
 }
 
-export interface FilterGroup {
-  readonly title: string;
-  readonly filters: readonly Filter[];
-}
-
 const DASH = [7, 4];
 
 /** Those that keep the nine entries of R, and the yardsticks that keep a rotation. A dashed one is drawn over the one before it, whose colour it shares or whose numbers it often has. */
-export const GROUPS: readonly FilterGroup[] = [
+export const GROUPS: readonly SwitchGroup<Filter>[] = [
   {
     title: "R by Euler’s rule, extended",
-    filters: [
+    entries: [
       { name: "ekf", label: "EKF", meaning: "as printed", token: "kf", mark: "ring", dash: [] },
       {
         name: "ekf-full",
@@ -48,7 +43,7 @@ export const GROUPS: readonly FilterGroup[] = [
   },
   {
     title: "R by Euler’s rule, unscented",
-    filters: [
+    entries: [
       { name: "ukf", label: "UKF", meaning: "sigma points", token: "et-kf", mark: "diamond", dash: [] },
       {
         name: "ukf-rie",
@@ -62,7 +57,7 @@ export const GROUPS: readonly FilterGroup[] = [
   },
   {
     title: "Integrated exactly",
-    filters: [
+    entries: [
       { name: "mekf", label: "MEKF", meaning: "error-state", token: "eskf", mark: "disc", dash: [] },
       { name: "lie-kf", label: "LIEKF", meaning: "invariant", token: "eskf", mark: "diamond", dash: DASH },
       {
@@ -77,7 +72,7 @@ export const GROUPS: readonly FilterGroup[] = [
   },
 ];
 
-export const FILTERS: readonly Filter[] = GROUPS.flatMap(({ filters }) => filters);
+export const FILTERS: readonly Filter[] = GROUPS.flatMap(({ entries }) => entries);
 
 /** Enough to tell where the gain comes from. */
 export const SHOWN_FIRST: readonly FilterName[] = ["ekf", "ekf-retraction", "ekf-rie", "mekf"];
