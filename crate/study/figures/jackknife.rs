@@ -80,15 +80,15 @@ pub(super) fn jackknifed(claims: Vec<Claim>, without: &[Vec<Claim>], trials: usi
     let each = claims.into_iter().enumerate();
     each.map(|(i, claim)| {
         let values: Option<Vec<f64>> = without.iter().map(|claims| Some(claims[i].found?.value)).collect();
-        let Some((found, values)) = claim.found.zip(values.filter(|values| !values.is_empty())) else {
-            return if trials < LEAST_TRIALS { claim.undecided() } else { claim };
-        };
-        if values.iter().all(|value| value.to_bits() == found.value.to_bits()) {
-            return claim;
-        }
-        if values.len() >= LEAST_GROUPS {
-            let found = Estimate { standard_error: spread(&values), ..found };
-            return Claim::new(claim.source, claim.what, Some(found), claim.target);
+        let values = values.unwrap_or_default();
+        if let Some(found) = claim.found.filter(|_| !values.is_empty()) {
+            if values.iter().all(|value| value.to_bits() == found.value.to_bits()) {
+                return claim;
+            }
+            if values.len() >= LEAST_GROUPS {
+                let found = Estimate { standard_error: spread(&values), ..found };
+                return Claim::new(claim.source, claim.what, Some(found), claim.target);
+            }
         }
         if trials < LEAST_TRIALS { claim.undecided() } else { claim }
     })
