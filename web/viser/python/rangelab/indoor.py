@@ -11,7 +11,7 @@ from .documents import Document, Written, to_text
 from .frames import Row
 from .html import card, table
 from .jobs import Progress
-from .reports import CompiledPart, RunReport
+from .reports import PosePart, RunReport
 from .studies import Study, indoor_study
 
 
@@ -59,7 +59,7 @@ class IndoorScenario(Written):
         return card(f"Indoor scenario {document['name']}", f"{len(document['beacons'])} beacons", rows)
 
 
-class IndoorFilterRun(CompiledPart[_core.IndoorRun]):
+class IndoorFilterRun(PosePart[_core.IndoorRun]):
     """One filter over all samples of the IMU; NaN after a failure."""
 
     @property
@@ -73,39 +73,19 @@ class IndoorFilterRun(CompiledPart[_core.IndoorRun]):
         return self._run.positions(self._index)
 
     @property
-    def position_covariances(self) -> Floats:
-        """m^2: K x 3 x 3."""
-        return self._run.position_covariances(self._index)
-
-    @property
-    def rotation_covariances(self) -> Floats:
-        """Of the rotation vector of the error in the world frame, rad^2: K x 3 x 3."""
-        return self._run.rotation_covariances(self._index)
-
-    @property
     def singular_values(self) -> Floats:
         """Of `R`, decreasing, all 1 for a rotation: K x 3."""
         return self._run.singular_values(self._index)
 
     @property
-    def orientation_errors(self) -> Floats:
-        """Geodesic angles to the truth, rad: K."""
-        return self._run.numbers(self._index, "orientation_error")
-
-    @property
-    def position_errors(self) -> Floats:
-        """Distances to the truth, m: K."""
-        return self._run.numbers(self._index, "position_error")
-
-    @property
     def nees(self) -> Floats:
         """Normalized estimation errors squared over their 9 degrees of freedom: K."""
-        return self._run.numbers(self._index, "nees")
+        return self.numbers("nees")
 
     @property
     def nis(self) -> Floats:
         """Normalized innovations squared over their degrees of freedom: K, NaN between fixes."""
-        return self._run.numbers(self._index, "nis")
+        return self.numbers("nis")
 
 
 class IndoorRun(RunReport[IndoorFilterRun]):

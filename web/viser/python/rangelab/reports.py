@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
 from ._core import UnknownName
-from .arrays import Part
+from .arrays import Floats, Part
 from .frames import Row, rows_to_pandas, rows_to_polars
 
 if TYPE_CHECKING:
@@ -37,6 +37,63 @@ class CompiledPart(Generic[Core]):
 
     def __repr__(self) -> str:
         return f"<rangelab.{type(self).__name__} {self.label}>"
+
+
+class PoseCore(Protocol):
+    """A compiled run of estimators of position and orientation."""
+
+    def position_covariances(self, part: int, /) -> Floats:
+        """m^2: K x D x D."""
+        ...
+
+    def rotation_covariances(self, part: int, /) -> Floats:
+        """rad^2: K x A x A."""
+        ...
+
+    def numbers(self, part: int, name: str, /) -> Floats:
+        """K."""
+        ...
+
+
+PoseRun = TypeVar("PoseRun", bound=PoseCore)
+
+
+class PosePart(CompiledPart[PoseRun]):
+    """What one estimator of position and orientation made of all steps, A = 3 angles in space and 1 in the plane."""
+
+    @property
+    @abstractmethod
+    def orientations(self) -> Floats:
+        """K x D x D."""
+
+    @property
+    @abstractmethod
+    def positions(self) -> Floats:
+        """m: K x D."""
+
+    @property
+    def position_covariances(self) -> Floats:
+        """m^2: K x D x D."""
+        return self._run.position_covariances(self._index)
+
+    @property
+    def rotation_covariances(self) -> Floats:
+        """Of the rotation vector of the error in the world frame, rad^2: K x A x A."""
+        return self._run.rotation_covariances(self._index)
+
+    @property
+    def orientation_errors(self) -> Floats:
+        """Geodesic angles to the truth, rad: K."""
+        return self.numbers("orientation_error")
+
+    @property
+    def position_errors(self) -> Floats:
+        """Distances to the truth, m: K."""
+        return self.numbers("position_error")
+
+    def numbers(self, name: str) -> Floats:
+        """A number a step, by its name in the crate: K."""
+        return self._run.numbers(self._index, name)
 
 
 class RunReport(ABC, Generic[PartRun]):

@@ -8,15 +8,19 @@ from . import _core
 from .arrays import Flags, Floats
 from .frames import Row, columns_of_csv, csv_to_pandas, csv_to_polars
 from .html import table
-from .reports import CompiledPart, RunReport
+from .reports import CompiledPart, PosePart, RunReport
 
 if TYPE_CHECKING:
     import pandas
     import polars
 
 
-class EstimatorRun(CompiledPart[_core.Run]):
-    """One tracker over all epochs; NaN after a failure and where the truth is not known."""
+class EstimatorRun(PosePart[_core.Run]):
+    """One tracker over all epochs; NaN after a failure and where the truth is not known.
+
+    Its `numbers` are, beside the properties, `orientation_error_frobenius`, `nees_degrees_of_freedom`,
+    `nis_degrees_of_freedom`, `orientation_covariance_trace` and `position_covariance_trace` (m^2).
+    """
 
     @property
     def orientations(self) -> Floats:
@@ -39,26 +43,6 @@ class EstimatorRun(CompiledPart[_core.Run]):
         return self._run.positions(self._index, "prior")
 
     @property
-    def position_covariances(self) -> Floats:
-        """m^2: K x D x D."""
-        return self._run.position_covariances(self._index)
-
-    @property
-    def rotation_covariances(self) -> Floats:
-        """Of the rotation vector of the error in the world frame, rad^2: K x A x A."""
-        return self._run.rotation_covariances(self._index)
-
-    @property
-    def orientation_errors(self) -> Floats:
-        """Geodesic angles to the truth, rad: K."""
-        return self.numbers("orientation_error")
-
-    @property
-    def position_errors(self) -> Floats:
-        """Distances to the truth, m: K."""
-        return self.numbers("position_error")
-
-    @property
     def nees(self) -> Floats:
         """Normalized estimation errors squared: K."""
         return self.numbers("nees")
@@ -77,12 +61,6 @@ class EstimatorRun(CompiledPart[_core.Run]):
     def events(self) -> Flags:
         """Where `Q` was projected: K."""
         return self._run.events(self._index)
-
-    def numbers(self, name: str) -> Floats:
-        """A number an epoch: K. Beside those above `orientation_error_frobenius`, `nees_degrees_of_freedom`,
-        `nis_degrees_of_freedom`, `orientation_covariance_trace` and `position_covariance_trace` (m^2).
-        """
-        return self._run.numbers(self._index, name)
 
 
 class BoundRun(CompiledPart[_core.Run]):

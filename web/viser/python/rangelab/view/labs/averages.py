@@ -8,6 +8,7 @@ import numpy as np
 from ...arrays import Floats
 from ...studies import Curve, Study
 from ..looks import Look
+from ..picture import Wish
 from ..plots import Line
 from . import drawing
 
@@ -46,6 +47,17 @@ class Averages:
         report = self._report
         parts = [*report.get("estimators", []), *report.get("filters", []), *report.get("bounds", [])]
         return {part["name"]: part.get("steps") or part["summary"]["steps"] for part in parts}
+
+
+class Averaged:
+    """A picture in which averages over many trials may stand in place of one run's errors."""
+
+    wish: Wish
+
+    @cached_property
+    def averages(self) -> Averages | None:
+        """Over many trials, where they are wished for."""
+        return None if self.wish.study is None else Averages(self.wish.study)
 
 
 def without(line: Line, steps: int) -> Line:

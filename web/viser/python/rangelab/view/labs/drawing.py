@@ -1,10 +1,12 @@
 """What the labs draw alike: the truth, the body, what estimators found of it."""
 
-from typing import Protocol
+from dataclasses import dataclass
+from typing import Any, Protocol
 
 import numpy as np
 
 from ...arrays import Flags, Floats
+from ...reports import PosePart
 from .. import shapes
 from ..canvas import Canvas
 from ..fans import fan_around
@@ -72,6 +74,35 @@ def draw_track(canvas: Canvas, name: str, look: Look, positions: Floats, step: i
         segments = shapes.dashed(segments)
     canvas.lines(f"/estimators/{name}/path", segments, look.token, 1.5 + rim)
     canvas.marks(f"/estimators/{name}/mark", shapes.lifted(positions[step : step + 1]), look, 1.0 + 0.25 * rim)
+
+
+@dataclass(frozen=True)
+class Manner:
+    """How all estimates of a scene are drawn."""
+
+    truth: Floats
+    """Around these positions (K x D, m) errors are magnified."""
+    body: Floats
+    """The sensors as they are drawn, in the body frame, m: N x D."""
+    magnify: float
+    fans: bool
+    """Whether with fans of the axes."""
+
+
+def draw_estimate(canvas: Canvas, look: Look, estimate: PosePart[Any], step: int, rim: float, manner: Manner) -> Floats:
+    """Its track, and at a step the body and the ellipsoid of its position; gives the positions as drawn, K x D."""
+    name, magnify = estimate.name, manner.magnify
+    positions = shapes.magnified(estimate.positions, manner.truth, magnify)
+    draw_track(canvas, name, look, positions, step, rim)
+    if np.isfinite(positions[step]).all():
+        corners = shapes.body(estimate.orientations[step], positions[step], manner.body)
+        canvas.lines(f"/estimators/{name}/body", shapes.pairs(shapes.lifted(corners)), look.token, 2.0)
+        covariance = estimate.position_covariances[step]
+        canvas.ellipsoid(f"/estimators/{name}/ellipsoid", covariance, positions[step], magnify, look.token)
+        if manner.fans:
+            turns = estimate.rotation_covariances[step]
+            draw_fans(canvas, name, look.token, estimate.orientations[step], turns, positions[step])
+    return positions
 
 
 def draw_fans(canvas: Canvas, name: str, token: str, orientation: Floats, covariance: Floats, centre: Floats) -> None:

@@ -1,14 +1,12 @@
 """An IMU and three transmitters on a body among beacons: filters side by side."""
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from ...arrays import Floats
 from ...indoor import IndoorFilterRun, IndoorRun, IndoorScenario
-from .. import shapes
 from ..canvas import Canvas
 from ..looks import FILTERS
 from ..panel import DEGREES, Document, Panel
@@ -16,7 +14,7 @@ from ..picture import Change, Handle, Wish
 from ..plots import Line, Plot, expected
 from ..readout import Row, Table
 from . import drawing
-from .averages import Averages
+from .averages import Averaged
 from .averaging import averaging_controls
 from .choices import Chosen
 from .indoor_averages import averaged_plots, averaged_readout
@@ -37,7 +35,7 @@ PRIORS: dict[str, Document] = {
 
 
 @dataclass
-class IndoorPicture:
+class IndoorPicture(Averaged):
     """A run of the filters."""
 
     wish: Wish
@@ -57,11 +55,6 @@ class IndoorPicture:
     def outline(self) -> Floats:
         """Beacons and the true track."""
         return np.concatenate([self.run.beacons, self.run.truth_positions])
-
-    @cached_property
-    def averages(self) -> Averages | None:
-        """Over many trials, where they are wished for."""
-        return None if self.wish.study is None else Averages(self.wish.study)
 
     @property
     def magnification(self) -> float:
@@ -117,17 +110,9 @@ class IndoorPicture:
         """Track and body, estimates with their ellipsoids."""
         run, truth = self.run, self.run.truth_positions
         drawing.draw_truth(canvas, run.truth_orientations, truth, self.body, step)
+        manner = drawing.Manner(truth, self.body, magnify, self.wish.fans)
         for (name, each), rim in zip(run.filters.items(), drawing.rims(len(run.filters)), strict=True):
-            look, positions = FILTERS[name], shapes.magnified(each.positions, truth, magnify)
-            drawing.draw_track(canvas, name, look, positions, step, rim)
-            if np.isfinite(positions[step]).all():
-                corners = shapes.body(each.orientations[step], positions[step], self.body)
-                canvas.lines(f"/estimators/{name}/body", shapes.pairs(corners), look.token, 2.0)
-                covariance = each.position_covariances[step]
-                canvas.ellipsoid(f"/estimators/{name}/ellipsoid", covariance, positions[step], magnify, look.token)
-                if self.wish.fans:
-                    turns = each.rotation_covariances[step]
-                    drawing.draw_fans(canvas, name, look.token, each.orientations[step], turns, positions[step])
+            drawing.draw_estimate(canvas, FILTERS[name], each, step, rim, manner)
 
     def _row(self, name: str, each: IndoorFilterRun, step: int) -> Row:
         found = drawing.readings(each.orientation_errors, each.position_errors, step)

@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 from dataclasses import field as entry
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -19,7 +18,7 @@ from ..picture import Handle, Wish
 from ..plots import Line, Plot, expected
 from ..readout import Row, Table
 from . import drawing
-from .averages import Averages
+from .averages import Averaged
 from .field_panel import in_angles
 from .obstacles import draw_obstacles, obstacle_handles
 from .placement_boxes import downhill, draw_arrows, draw_boxes
@@ -30,7 +29,7 @@ FIELD_CELLS = 48
 
 
 @dataclass
-class TrackPicture:
+class TrackPicture(Averaged):
     """A run of trackers, and the field where it is wished for."""
 
     wish: Wish
@@ -55,11 +54,6 @@ class TrackPicture:
     def outline(self) -> Floats:
         """Anchors and the true track."""
         return np.concatenate([self.run.anchors, self.run.truth_positions])
-
-    @cached_property
-    def averages(self) -> Averages | None:
-        """Over many trials, where they are wished for."""
-        return None if self.wish.study is None else Averages(self.wish.study)
 
     @property
     def magnification(self) -> float:
@@ -129,8 +123,10 @@ class TrackPicture:
             if self.wish.fans and self._shown_bounds():
                 turns = run.bounds[self._shown_bounds()[0]].rotation_covariances[step]
                 drawing.draw_fans(canvas, "bound", "bound", run.truth_orientations[step], turns, truth[step])
+        manner = drawing.Manner(truth, self.body, magnify, self.wish.fans)
         for (name, each), rim in zip(run.estimators.items(), drawing.rims(len(run.estimators)), strict=True):
-            self._draw_estimate(canvas, name, each, step, magnify, rim)
+            positions = drawing.draw_estimate(canvas, TRACKERS[name], each, step, rim, manner)
+            canvas.marks(f"/estimators/{name}/events", shapes.lifted(positions[each.events]), TRACKERS[name], 0.3)
         if self.document:
             draw_obstacles(canvas, self.document, self.outline)
             draw_boxes(canvas, self.document)
@@ -139,23 +135,6 @@ class TrackPicture:
             draw_arrows(canvas, run.anchors, ways)
         if self.field is not None:
             canvas.field("/field", self.field, self._field_limit)
-
-    def _draw_estimate(
-        self, canvas: Canvas, name: str, each: EstimatorRun, step: int, magnify: float, rim: float
-    ) -> None:
-        look, run = TRACKERS[name], self.run
-        positions = shapes.magnified(each.positions, run.truth_positions, magnify)
-        drawing.draw_track(canvas, name, look, positions, step, rim)
-        events = shapes.lifted(positions[each.events])
-        canvas.marks(f"/estimators/{name}/events", events, look, 0.3)
-        if np.isfinite(positions[step]).all():
-            corners = shapes.body(each.orientations[step], positions[step], self.body)
-            canvas.lines(f"/estimators/{name}/body", shapes.pairs(shapes.lifted(corners)), look.token, 2.0)
-            covariance = each.position_covariances[step]
-            canvas.ellipsoid(f"/estimators/{name}/ellipsoid", covariance, positions[step], magnify, look.token)
-            if self.wish.fans:
-                turns = each.rotation_covariances[step]
-                drawing.draw_fans(canvas, name, look.token, each.orientations[step], turns, positions[step])
 
     def _row(self, look: Look, each: EstimatorRun, step: int) -> Row:
         return Row(
