@@ -78,6 +78,15 @@ pub struct IndoorRecording {
     pub truth: Vec<NavigationState>,
 }
 
+impl IndoorEpoch {
+    /// Whether each range was measured, beacon by beacon; false for all `beacons` where none were taken.
+    pub fn present(&self, beacons: usize) -> impl Iterator<Item = bool> + '_ {
+        let taken =
+            |m: usize| self.ranges.get(m).map_or([false; TRANSMITTERS], |of| of.map(|range| range.is_some()));
+        (0..beacons).flat_map(taken)
+    }
+}
+
 impl NavigationState {
     /// The world position of a point of the body, `p + R c`.
     pub fn act(&self, point_in_body: &Vector3<f64>) -> Vector3<f64> {

@@ -2,8 +2,10 @@
 
 use pyo3::prelude::*;
 use rangelab::model::indoor;
+use rangelab::model::indoor::TRANSMITTERS;
 use rangelab::model::indoor::presets::{INDOOR_PRESETS, indoor_preset};
-use rangelab::study::indoor::run::run_indoor;
+use rangelab::simulate::indoor::simulate_indoor;
+use rangelab::study::indoor::run::run_indoor_recording;
 
 use crate::array::{array, flags};
 use crate::compute::compute;
@@ -37,13 +39,22 @@ impl IndoorScenario {
     }
 
     fn run(&self, py: Python<'_>, trial: u64) -> PyResult<IndoorRun> {
-        compute(py, || run_indoor(&self.0, trial).map(IndoorRun))
+        compute(py, || {
+            let recording = simulate_indoor(&self.0, trial)?;
+            let run = run_indoor_recording(&self.0.name, &recording, &self.0.filters);
+            let beacons = run.beacons.len();
+            let present = recording.epochs.iter().flat_map(|epoch| epoch.present(beacons)).collect();
+            Ok(IndoorRun { run, present })
+        })
     }
 }
 
 /// A run of the filters; they are numbered as in its document.
 #[pyclass(frozen, module = "rangelab._core")]
-pub struct IndoorRun(indoor::run::IndoorRun);
+pub struct IndoorRun {
+    run: indoor::run::IndoorRun,
+    present: Vec<bool>,
+}
 
 /// A number of a step, by name; NaN where there is none.
 fn number_of(step: &indoor::run::IndoorStepRecord, name: &str) -> f64 {
@@ -59,17 +70,17 @@ fn number_of(step: &indoor::run::IndoorStepRecord, name: &str) -> f64 {
 #[pymethods]
 impl IndoorRun {
     fn to_json(&self) -> String {
-        self.0.to_json()
+        self.run.to_json()
     }
 
     #[getter]
     fn name(&self) -> &str {
-        &self.0.name
+        &self.run.name
     }
 
     /// The filters.
     fn filters(&self) -> Vec<Part<'_>> {
-        let filters = self.0.filters.iter();
+        let filters = self.run.filters.iter();
         filters
             .map(|run| {
                 let (step, message) = run.failure.as_ref().map(|f| (f.step, f.message.as_str())).unzip();
@@ -79,66 +90,72 @@ impl IndoorRun {
     }
 
     fn beacons<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let rows = self.0.beacons.iter().map(|beacon| Some(beacon.clone()));
-        padded(py, &[self.0.beacons.len(), 3], rows)
+        let rows = self.run.beacons.iter().map(|beacon| Some(beacon.clone()));
+        padded(py, &[self.run.beacons.len(), 3], rows)
     }
 
     fn transmitters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let rows = self.0.transmitters.iter().map(|transmitter| Some(transmitter.clone()));
-        padded(py, &[self.0.transmitters.len(), 3], rows)
+        let rows = self.run.transmitters.iter().map(|transmitter| Some(transmitter.clone()));
+        padded(py, &[self.run.transmitters.len(), 3], rows)
     }
 
     fn times<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        array(py, &[self.0.times.len()], self.0.times.iter().copied())
+        array(py, &[self.run.times.len()], self.run.times.iter().copied())
     }
 
     fn fixes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        flags(py, &[self.0.times.len()], self.0.fixes.iter().copied())
+        flags(py, &[self.run.times.len()], self.run.fixes.iter().copied())
+    }
+
+    /// True where a range was measured: K x M x 3.
+    fn present<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let shape = [self.run.times.len(), self.run.beacons.len(), TRANSMITTERS];
+        flags(py, &shape, self.present.iter().copied())
     }
 
     fn truth_positions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let rows = self.0.truth.iter().map(|pose| Some(pose.position.clone()));
-        padded(py, &[self.0.times.len(), 3], rows)
+        let rows = self.run.truth.iter().map(|pose| Some(pose.position.clone()));
+        padded(py, &[self.run.times.len(), 3], rows)
     }
 
     fn truth_orientations<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let rows = self.0.truth.iter().map(|pose| Some(pose.orientation.concat()));
-        padded(py, &[self.0.times.len(), 3, 3], rows)
+        let rows = self.run.truth.iter().map(|pose| Some(pose.orientation.concat()));
+        padded(py, &[self.run.times.len(), 3, 3], rows)
     }
 
     fn positions<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Bound<'py, PyAny>> {
         let rows = self.steps(index).map(|step| Some(step.pose.position.clone()));
-        padded(py, &[self.0.times.len(), 3], rows)
+        padded(py, &[self.run.times.len(), 3], rows)
     }
 
     fn orientations<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Bound<'py, PyAny>> {
         let rows = self.steps(index).map(|step| Some(step.pose.orientation.concat()));
-        padded(py, &[self.0.times.len(), 3, 3], rows)
+        padded(py, &[self.run.times.len(), 3, 3], rows)
     }
 
     fn position_covariances<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Bound<'py, PyAny>> {
         let rows = self.steps(index).map(|step| Some(step.position_covariance.concat()));
-        padded(py, &[self.0.times.len(), 3, 3], rows)
+        padded(py, &[self.run.times.len(), 3, 3], rows)
     }
 
     fn rotation_covariances<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Bound<'py, PyAny>> {
         let rows = self.steps(index).map(|step| Some(step.rotation_covariance.concat()));
-        padded(py, &[self.0.times.len(), 3, 3], rows)
+        padded(py, &[self.run.times.len(), 3, 3], rows)
     }
 
     /// The singular values of `R`, largest first.
     fn singular_values<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Bound<'py, PyAny>> {
         let rows = self.steps(index).map(|step| Some(step.singular_values.to_vec()));
-        padded(py, &[self.0.times.len(), 3], rows)
+        padded(py, &[self.run.times.len(), 3], rows)
     }
 
     fn numbers<'py>(&self, py: Python<'py>, index: usize, name: &str) -> PyResult<Bound<'py, PyAny>> {
-        array(py, &[self.0.times.len()], self.steps(index).map(|step| number_of(step, name)))
+        array(py, &[self.run.times.len()], self.steps(index).map(|step| number_of(step, name)))
     }
 }
 
 impl IndoorRun {
     fn steps(&self, index: usize) -> impl Iterator<Item = &indoor::run::IndoorStepRecord> {
-        self.0.filters.get(index).into_iter().flat_map(|run| &run.steps)
+        self.run.filters.get(index).into_iter().flat_map(|run| &run.steps)
     }
 }

@@ -7,6 +7,7 @@ use rangelab::model::kinematics::presets::{KINEMATICS_PRESETS, kinematics_preset
 use rangelab::simulate::kinematics::simulate_kinematics;
 use rangelab::study::kinematics::errors::Yardstick;
 use rangelab::study::kinematics::run::run_kinematics;
+use rangelab::study::kinematics::spectrum::gram_spectrum;
 
 use crate::array::{Numbers, array};
 use crate::compute::compute;
@@ -43,6 +44,11 @@ impl KinematicsScenario {
     /// The run as JSON.
     fn run(&self, py: Python<'_>, trial: u64) -> PyResult<String> {
         compute(py, || run_kinematics(&self.0, trial).map(|run| run.to_json()))
+    }
+
+    /// The eigenvalues of the Gram matrices of a trial: the JSON of the crate's `GramSpectrum`.
+    fn gram_spectrum(&self, py: Python<'_>, trial: u64) -> PyResult<String> {
+        compute(py, || gram_spectrum(&self.0, trial).map(|spectrum| json(&spectrum)))
     }
 
     /// What was measured, the centred truth, and the turn from its frame to that of the accelerometers.

@@ -8,6 +8,7 @@
 
 mod array;
 mod compute;
+mod consistency;
 mod distances;
 mod documents;
 mod draws;
@@ -30,6 +31,8 @@ use pyo3::prelude::*;
 mod _core {
     #[pymodule_export]
     use super::compute::panic_on_purpose;
+    #[pymodule_export]
+    use super::consistency::chi_squared_interval;
     #[pymodule_export]
     use super::distances::{DistanceRecord, KinematicsEstimate, kinematics_estimators};
     #[pymodule_export]

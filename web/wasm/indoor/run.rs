@@ -128,7 +128,8 @@ impl IndoorTrial {
     /// The run over a recording.
     pub fn new(run: IndoorRun, recording: &IndoorRecording) -> Self {
         let beacons = run.beacons.len();
-        let present = recording.epochs.iter().flat_map(|epoch| presence(epoch, beacons)).collect();
+        let present =
+            recording.epochs.iter().flat_map(|epoch| epoch.present(beacons)).map(u8::from).collect();
         Self { run, present }
     }
 
@@ -169,11 +170,4 @@ fn orientation(pose: &PoseEntries, to: &mut Vec<f64>) {
 
 fn position(pose: &PoseEntries, to: &mut Vec<f64>) {
     to.extend(&pose.position);
-}
-
-/// One row a beacon; all zero where there was no fix.
-fn presence(epoch: &IndoorEpoch, beacons: usize) -> Vec<u8> {
-    let mut present: Vec<u8> = epoch.ranges.iter().flatten().map(|range| u8::from(range.is_some())).collect();
-    present.resize(beacons * TRANSMITTERS, 0);
-    present
 }

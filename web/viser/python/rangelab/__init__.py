@@ -24,9 +24,11 @@ from ._core import (
     UnknownName,
     Unobservable,
 )
+from .consistency import chi_squared_interval
 from .distances import DistanceRecord, KinematicsEstimate, kinematics_estimators
 from .draws import AnchorDraws
 from .figures import Figure, figure, figures
+from .gram_spectrum import GramSpectrum
 from .indoor import IndoorRun, IndoorScenario, indoor_presets
 from .kinematics import KinematicsBound, KinematicsScenario, SimulatedKinematics, kinematics_presets
 from .kinematics_run import KinematicsEstimatorRun, KinematicsRun
@@ -50,6 +52,7 @@ __all__ = [
     "Error",
     "EstimatorRun",
     "Figure",
+    "GramSpectrum",
     "IndoorRun",
     "IndoorScenario",
     "InternalError",
@@ -71,6 +74,7 @@ __all__ = [
     "Tracker",
     "UnknownName",
     "Unobservable",
+    "chi_squared_interval",
     "figure",
     "figures",
     "from_link",

@@ -145,6 +145,11 @@ class IndoorRun(RunReport[IndoorFilterRun]):
         return self._core.transmitters()
 
     @property
+    def present(self) -> Flags:
+        """Where a range was measured, from each beacon to each transmitter: K x M x 3, false between fixes."""
+        return self._core.present()
+
+    @property
     def truth_positions(self) -> Floats:
         """m: K x 3."""
         return self._core.truth_positions()

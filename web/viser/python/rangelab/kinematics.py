@@ -13,6 +13,7 @@ from . import _core
 from .arrays import Floats
 from .distances import DistanceRecord
 from .documents import Document, Written, to_text
+from .gram_spectrum import GramSpectrum
 from .html import card
 from .jobs import Progress
 from .kinematics_run import KinematicsRun
@@ -79,6 +80,16 @@ class KinematicsScenario(Written):
     def run(self, trial: int = 0) -> KinematicsRun:
         """Simulates one trial and runs the enabled estimators; one that fails says so in its own part."""
         return KinematicsRun(self._core.run(trial))
+
+    def gram_spectrum(self, trial: int = 0) -> GramSpectrum:
+        """Of the Gram matrices of one trial: D eigenvalues stand out, the others are noise.
+
+        >>> spectrum = KinematicsScenario.preset().gram_spectrum()
+        >>> bool(spectrum.fitted[1] > 1000 * abs(spectrum.fitted[2]))
+        True
+
+        """
+        return GramSpectrum.from_json(self._core.gram_spectrum(trial))
 
     def bound(self, accelerations: bool = False) -> "KinematicsBound":
         """The Cramér-Rao bound at the true motion, from distances alone or with accelerations.
