@@ -10,7 +10,7 @@ from .arrays import Floats
 
 @dataclass(frozen=True)
 class GramSpectrum:
-    """The eigenvalues of one trial, each list decreasing, negative ones too: N, or empty where there is no such matrix."""
+    """The eigenvalues of one trial, decreasing, negative ones too: each N, or empty where there is no such matrix."""
 
     epoch: Floats
     """Of `-1/2 C D C` of the distances at the complete stamp nearest to time 0, m^2."""

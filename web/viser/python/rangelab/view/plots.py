@@ -1,6 +1,7 @@
 """Plots in the panel by uPlot: lines in the estimators' colours, bounds dashed, a legend that switches lines."""
 
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 import viser
@@ -13,6 +14,8 @@ from .themes import Theme
 HEIGHT = 230
 SHADE = "26"
 """How much of its colour a band has, in hexadecimal."""
+BAND_DASH = (1, 3)
+"""Of the edges of a band that lines should lie in."""
 EDGE: uplot.Series = {"label": "", "width": 0, "points": {"show": False}, "class": "mantine-hidden-from-xs"}
 """The edge of a band: not drawn, and by the class of viser's own style sheet not in the legend."""
 
@@ -38,6 +41,15 @@ class Line:
 
 
 @dataclass(frozen=True)
+class Band:
+    """Where lines should lie: between two numbers, all along the axis."""
+
+    low: float
+    high: float
+    label: str
+
+
+@dataclass(frozen=True)
 class Plot:
     """Lines over one axis; units are in the title and in the name of the axis."""
 
@@ -46,6 +58,8 @@ class Plot:
     lines: tuple[Line, ...]
     axis: str = "time, s"
     logarithmic: bool = True
+    logarithmic_x: bool = False
+    bands: tuple[Band, ...] = ()
 
 
 def expected(times: Floats, value: float = 1.0) -> Line:
@@ -64,7 +78,9 @@ class Plots:
     def draw(self, plots: list[Plot], theme: Theme) -> None:
         """Draws those that have lines, in their order."""
         plots = [plot for plot in plots if plot.lines]
-        kinds: list[object] = [(plot.title, plot.axis, plot.logarithmic, _series(plot, theme)) for plot in plots]
+        kinds: list[object] = [
+            (plot.title, plot.axis, plot.logarithmic, plot.logarithmic_x, _series(plot, theme)) for plot in plots
+        ]
         if kinds != self._kinds:
             for handle in self._handles:
                 handle.remove()
@@ -81,7 +97,10 @@ class Plots:
             _series(plot, theme),
             title=plot.title,
             bands=_bands(plot, theme),
-            scales={"x": {"time": False}, "y": {"distr": 3 if plot.logarithmic else 1}},
+            scales={
+                "x": {"time": False, "distr": _scale(plot.logarithmic_x)},
+                "y": {"distr": _scale(plot.logarithmic)},
+            },
             axes=({"label": plot.axis, "size": 28, "labelSize": 20}, {"size": 62}),
             padding=(12, 24, 0, 0),
             legend={"show": True, "live": False},
@@ -89,9 +108,15 @@ class Plots:
         )
 
 
+def _scale(logarithmic: bool) -> Literal[1, 3]:
+    """As uPlot numbers scales."""
+    return 3 if logarithmic else 1
+
+
 def _data(plot: Plot) -> tuple[Floats, ...]:
-    """Lines, then the edges of their bands; on a logarithmic scale nothing is at or below 0."""
+    """Lines, the edges of their bands, the edges of the plot's; on a logarithmic scale nothing is at or below 0."""
     columns = [*(line.values for line in plot.lines), *(edge for line in plot.lines for edge in line.edges)]
+    columns += [np.full(len(plot.x), edge) for band in plot.bands for edge in (band.high, band.low)]
     if plot.logarithmic:
         columns = [np.where(column > 0, column, np.nan) for column in columns]
     return (plot.x, *columns)
@@ -108,12 +133,14 @@ def _series(plot: Plot, theme: Theme) -> tuple[uplot.Series, ...]:
             series |= {"width": 0, "points": {"show": True, "size": 7 * theme.weight, "fill": colour}}
         lines.append(series)
     edges = sum(len(line.edges) for line in plot.lines)
-    return ({"label": plot.axis}, *lines, *[EDGE] * edges)
+    rule: uplot.Series = {"stroke": theme.css("bound"), "width": theme.weight, "dash": BAND_DASH}
+    bands = [edge for band in plot.bands for edge in (rule | {"label": band.label}, EDGE | rule)]
+    return ({"label": plot.axis}, *lines, *[EDGE] * edges, *bands)
 
 
 def _bands(plot: Plot, theme: Theme) -> tuple[uplot.Band, ...] | None:
     """Between the edges, which come in pairs after all lines."""
-    tokens = [line.look.token for line in plot.lines if line.edges]
+    tokens = [line.look.token for line in plot.lines if line.edges] + ["bound"] * len(plot.bands)
     first = 1 + len(plot.lines)
     bands = tuple(
         uplot.Band(series=(first + 2 * i, first + 2 * i + 1), fill=theme.css(token) + SHADE)

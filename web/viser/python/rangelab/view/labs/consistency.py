@@ -1,0 +1,20 @@
+"""The bands that mean NEES and NIS lie in if covariances are right."""
+
+from collections.abc import Iterable
+
+from ...consistency import chi_squared_interval
+from ..plots import Band
+
+PROBABILITY = 0.95
+
+
+def consistency_bands(degrees: Iterable[float], trials: int = 1) -> tuple[Band, ...]:
+    """Where 95 % of the means over trials lie, over their degrees of freedom: one band for each number of them."""
+    return tuple(_band(each, trials) for each in sorted(set(degrees)) if each > 0)
+
+
+def _band(degrees: float, trials: int) -> Band:
+    """Trials add up their degrees of freedom."""
+    freedom = degrees * trials
+    low, high = chi_squared_interval(freedom, PROBABILITY)
+    return Band(low / freedom, high / freedom, f"95 % of χ² with {round(degrees, 1):g} degrees of freedom")
