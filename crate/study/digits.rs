@@ -24,13 +24,31 @@ impl fmt::Display for Estimate {
     }
 }
 
+impl Estimate {
+    /// `value ± standard error` however small the error is; all digits where it is 0.
+    ///
+    /// ```
+    /// use rangelab::study::moments::Estimate;
+    /// let near_one = Estimate { value: 1.0000338, standard_error: 0.0000061 };
+    /// assert_eq!((near_one.to_string().as_str(), near_one.in_full().as_str()), ("1.000", "1.0000338 ± 0.0000061"));
+    /// ```
+    pub fn in_full(self) -> String {
+        let Self { value, standard_error } = self;
+        match decimals(standard_error, ERROR_DIGITS) {
+            _ if standard_error == 0.0 => format!("{value:?}"),
+            Some(digits) => format!("{value:.digits$} ± {standard_error:.digits$}"),
+            None => format!("{value:?} ± {standard_error:.0e}"),
+        }
+    }
+}
+
 fn with_error(estimate: Estimate) -> String {
     let Estimate { value, standard_error } = estimate;
     let first_digits = decimals(value, EXACT_DIGITS).filter(|_| value.abs() < 1e6);
     match (first_digits, decimals(standard_error, ERROR_DIGITS)) {
         _ if value == 0.0 && standard_error == 0.0 => "0".to_string(),
         (Some(digits), _) if rounds_to_zero(standard_error, digits) => format!("{value:.digits$}"),
-        (Some(_), Some(digits)) => format!("{value:.digits$} ± {standard_error:.digits$}"),
+        (Some(_), Some(_)) => estimate.in_full(),
         _ if standard_error < 5e-4 * value.abs() => format!("{value:.3e}"),
         _ => format!("{value:.2e} ± {standard_error:.0e}"),
     }

@@ -18,6 +18,7 @@ mod recovery;
 mod scenes;
 mod sensed_accelerations;
 mod simulation;
+mod starts;
 mod study;
 mod table;
 mod wrong_branch;

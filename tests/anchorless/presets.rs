@@ -41,13 +41,13 @@ fn presets_teach_what_they_say() {
             }
             "kinematics-missing" => ended() == [MultidimensionalScaling],
             "kinematics-four" => {
-                ended() == [Algorithm1Rank1, Algorithm2Rank1] && velocity(MaximumLikelihood) < 0.5
+                ended() == [Algorithm1Rank1, Algorithm2Rank1] && velocity(MaximumLikelihood) < 0.1
             }
             "kinematics-constant" => {
                 let margin =
                     |trial| run_kinematics(&scenario, trial).unwrap().estimators[0].acceleration_margin;
                 let margin = (0..20).filter_map(margin).sum::<f64>() / 20.0;
-                margin < 1.0 && velocity(Algorithm1Rank1) > 1.0
+                ended().is_empty() && margin < 1.0 && velocity(Algorithm1Rank1) > 1.0
             }
             "kinematics-space" => ended() == [Algorithm1Rank1] && velocity(Algorithm1So) < 1.0,
             other => panic!("{other} teaches nothing that is tested"),

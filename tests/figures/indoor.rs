@@ -28,7 +28,7 @@ pub const FAIL: [&str; 23] = [
     "U: angle of UKFRie over that of UKF, worst",
     "zigzag: angle of EKFRie over that of EKF, 20 dB",
     "zigzag: angle of UKFRie over that of UKF",
-    "bridge: angle of EKFRie over that of EKF, 20 dB",
+    "bridge: angle of EKFRie over that of EKF",
     "bridge: angle of UKFRie over that of UKF",
     "stair, sigma_a^2 = 4.3e-4 m^2/s^4 as printed: RMSE of EKFRie",
 ];

@@ -8,10 +8,10 @@ mod descent;
 mod objective;
 mod pair_cost;
 mod retraction;
+mod starts;
 
 use nalgebra::DMatrix;
 
-use super::synchronization::synchronized;
 use crate::error::{Error, Result};
 use crate::model::kinematics::coefficients::RelativeKinematics;
 use crate::model::kinematics::distance_record::DistanceRecord;
@@ -22,6 +22,7 @@ use acceleration_cost::AccelerationCost;
 use descent::{Minimum, minimum};
 use objective::Objective;
 use pair_cost::PairCosts;
+use starts::from_synchronized;
 
 /// What is being computed, for errors.
 const WHAT: &str = "maximum likelihood";
@@ -36,7 +37,8 @@ pub enum Detail {
     Every,
 }
 
-/// Maximum likelihood from distances alone, from the start of [`snapshot_sync`](super::synchronization::snapshot_sync).
+/// Maximum likelihood from distances alone, from the start of [`snapshot_sync`](super::synchronization::snapshot_sync), and
+/// from simpler ones where the minimum next to it is too high to be the right one.
 ///
 /// Gauss-Newton, then exact Newton until steps stop shrinking. The cost of the estimate is `sum (residual/sigma)^2`, less
 /// what no motion of this degree could explain where pairs are compressed.
@@ -59,9 +61,8 @@ pub fn maximum_likelihood(
     degree: usize,
     detail: Detail,
 ) -> Result<KinematicsEstimate> {
-    let start = synchronized(record, degree)?.motion;
-    let pairs = PairCosts::new(record, degree, Detail::Compressed);
-    from_start(record, &pairs, None, &start, detail).map(|found| estimate_of(found, None))
+    let near = from_synchronized(record, &PairCosts::new(record, degree, Detail::Compressed))?;
+    in_detail(record, near, None, detail).map(|found| estimate_of(found, None))
 }
 
 /// Maximum likelihood from distances and accelerations, from the start of [`joint_start`]; the motion is given in the frame
@@ -88,7 +89,8 @@ pub fn maximum_likelihood_with_accelerometers(
     let readings = AccelerationCost::new(record, degree)?;
     let pairs = PairCosts::new(record, degree, Detail::Compressed);
     let (start, before) = start_in_frame(record, &pairs, &readings)?;
-    let found = from_start(record, &pairs, Some(&readings), &start, detail)?;
+    let near = descended(record, &pairs, Some(&readings), &start)?;
+    let found = in_detail(record, near, Some(&readings), detail)?;
     let rotation = DMatrix::identity(record.dimension(), record.dimension());
     let iterations = before + found.iterations;
     Ok(estimate_of(Found { iterations, ..found }, Some(rotation)))
@@ -114,8 +116,7 @@ fn start_in_frame(
     pairs: &PairCosts,
     readings: &AccelerationCost,
 ) -> Result<(RelativeKinematics, usize)> {
-    let start = synchronized(record, pairs.degree())?.motion;
-    let Found { motion, iterations, .. } = descended(record, pairs, None, &start)?;
+    let Found { motion, iterations, .. } = from_synchronized(record, pairs)?;
     let stacked = stacked_powers(&record.time_scale().scale(&motion));
     Ok((motion.rotated(&readings.frame(record.dimension(), &stacked)?), iterations))
 }
@@ -163,18 +164,16 @@ fn estimate_of(found: Found, rotation: Option<DMatrix<f64>>) -> KinematicsEstima
 }
 
 /// Compressed pairs lead to where single distances are a step or two from their minimum.
-fn from_start(
+fn in_detail(
     record: &DistanceRecord,
-    compressed: &PairCosts,
+    near: Found,
     accelerations: Option<&AccelerationCost>,
-    start: &RelativeKinematics,
     detail: Detail,
 ) -> Result<Found> {
-    let near = descended(record, compressed, accelerations, start)?;
     if detail == Detail::Compressed {
         return Ok(near);
     }
-    let every = PairCosts::new(record, start.degree(), detail);
+    let every = PairCosts::new(record, near.motion.degree(), detail);
     let found = descended(record, &every, accelerations, &near.motion)?;
     Ok(Found { iterations: near.iterations + found.iterations, ..found })
 }

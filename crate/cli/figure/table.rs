@@ -21,9 +21,8 @@ pub fn text(report: &FigureReport) -> String {
 
 /// Claim, number, target and verdict, one line each, in columns.
 pub fn rows(claims: &[&Claim]) -> Vec<[String; 4]> {
-    let found = |claim: &Claim| claim.found.map_or_else(|| "no number".to_owned(), |found| found.to_string());
     let row = |claim: &&Claim| {
-        [claim.what.clone(), found(claim), claim.target.to_string(), claim.verdict.to_string()]
+        [claim.what.clone(), claim.found_words(), claim.target.to_string(), claim.verdict.to_string()]
     };
     claims.iter().map(row).collect()
 }

@@ -41,9 +41,6 @@ fn counts(claims: &[&Claim], whose: &str) -> String {
 }
 
 fn list<'a>(claims: impl Iterator<Item = &'a &'a Claim>) -> String {
-    let each = claims.map(|claim| {
-        let found = claim.found.map_or_else(|| "no number".to_string(), |found| found.to_string());
-        format!("{} is {found}, not {}", claim.what, claim.target)
-    });
+    let each = claims.map(|claim| format!("{} is {}, not {}", claim.what, claim.found_words(), claim.target));
     each.collect::<Vec<_>>().join("; ")
 }

@@ -1,6 +1,6 @@
 //! A statement about a figure, held against what was found.
 
-use alloc::string::String;
+use alloc::string::{String, ToString};
 use core::fmt;
 
 use serde::{Deserialize, Serialize};
@@ -66,6 +66,15 @@ impl Claim {
     pub fn new(source: Source, what: impl Into<String>, found: Option<Estimate>, target: Interval) -> Self {
         let verdict = found.map_or(Verdict::NotDecided, |found| target.verdict(found));
         Self { what: what.into(), source, found, target, verdict }
+    }
+
+    /// The number in words: with its standard error also where its first digits alone would speak against the verdict.
+    pub fn found_words(&self) -> String {
+        let Some(found) = self.found else { return "no number".to_string() };
+        let words = found.to_string();
+        let alone = words.parse::<f64>().ok().map(|value| Estimate { value, standard_error: 0.0 });
+        let misleads = alone.is_some_and(|alone| self.target.verdict(alone) != self.verdict);
+        if misleads { found.in_full() } else { words }
     }
 
     /// The same where too few trials stand behind the number.
@@ -138,11 +147,26 @@ impl fmt::Display for Verdict {
 
 impl fmt::Display for Claim {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: ", self.what)?;
-        match self.found {
-            Some(found) => write!(f, "{found}")?,
-            None => f.write_str("no number")?,
-        }
-        write!(f, " ({}): {}", self.target, self.verdict)
+        write!(f, "{}: {} ({}): {}", self.what, self.found_words(), self.target, self.verdict)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Claim, Estimate, Interval, Source};
+
+    #[test]
+    fn words_never_speak_against_the_verdict() {
+        let words = |value, standard_error, target| {
+            let found = Some(Estimate { value, standard_error });
+            Claim::new(Source::Paper, "ratio", found, target).found_words()
+        };
+        let most = Interval::most(1.0);
+        assert_eq!(words(1.000_033_8, 6.1e-6, most), "1.0000338 ± 0.0000061");
+        assert_eq!(words(1.000_033_8, 6.1e-5, most), "1.000034 ± 0.000061");
+        assert_eq!(words(0.999_966_2, 6.1e-6, most), "1.000");
+        assert_eq!(words(1.000_033_8, 0.0, most), "1.0000338");
+        assert_eq!(words(1.02, 6.1e-6, most), "1.020");
+        assert_eq!(Claim::new(Source::Paper, "ratio", None, most).found_words(), "no number");
     }
 }

@@ -1,8 +1,7 @@
 //! A run as typed arrays for drawing and plotting.
 
 use rangelab::model::document::entries::PoseEntries;
-use rangelab::model::indoor::TRANSMITTERS;
-use rangelab::model::indoor::epoch::{IndoorEpoch, IndoorRecording};
+use rangelab::model::indoor::epoch::IndoorRecording;
 use rangelab::model::indoor::run::{IndoorFailure, IndoorFilterRun, IndoorRun, IndoorStepRecord};
 use rangelab_wasm_shared::{Named, json, padded};
 use wasm_bindgen::prelude::*;

@@ -88,9 +88,10 @@ export function figureSvg(report: FigureReport, look: FigureLook): { svg: string
 }
 
 function claimLines({ claims }: FigureReport): string[] {
-  return claims.flatMap(({ what, found, target, verdict }) => {
+  return claims.flatMap((claim) => {
+    const { what, target, verdict } = claim;
     const { symbol, words } = VERDICTS[verdict];
-    return wrapped(`${symbol} ${what}: ${foundWords(found)} (${targetWords(target)}): ${words}`);
+    return wrapped(`${symbol} ${what}: ${foundWords(claim)} (${targetWords(target)}): ${words}`);
   });
 }
 

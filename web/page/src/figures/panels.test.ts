@@ -2,6 +2,7 @@ import { beforeAll, describe, expect, test } from "vitest";
 import { figureBlock, figureJobs, figures, FigureSum } from "../engine";
 import { loadEngineForTests } from "../engine/testing";
 import type { FigurePicture } from "../figure";
+import type { Verdict } from "../generated/Verdict";
 import type { Palette } from "../theme/palette";
 import { foundWords, targetWords } from "./claims";
 import { figureSvg } from "./files";
@@ -56,6 +57,15 @@ describe("every figure", () => {
   });
 });
 
+test("numbers never speak against their verdict", () => {
+  const words = (value: number, standard_error: number, verdict: Verdict) =>
+    foundWords({ found: { value, standard_error }, target: { least: null, most: 1 }, verdict });
+  expect(words(1.0000338, 6.1e-6, "does-not-hold")).toBe("1.0000338 ± 0.0000061");
+  expect(words(1.0000338, 6.1e-5, "not-decided")).toBe("1.000034 ± 0.000061");
+  expect(words(0.9999662, 6.1e-6, "holds")).toBe("1.000");
+  expect(words(1.0000338, 0, "does-not-hold")).toBe("1.0000338");
+});
+
 test("numbers and targets read as on the command line", () => {
   const cases: readonly (readonly [number, number, string])[] = [
     [0.11596, 0.00213, "0.1160 ± 0.0021"],
@@ -71,9 +81,10 @@ test("numbers and targets read as on the command line", () => {
     [3e9, 4e5, "3.000e9"],
     [3e9, 4e7, "3.00e9 ± 4e7"],
   ];
+  const anything = { target: { least: null, most: null }, verdict: "holds" } as const;
   for (const [value, standard_error, words] of cases)
-    expect(foundWords({ value, standard_error })).toBe(words);
-  expect(foundWords(null)).toBe("no number");
+    expect(foundWords({ found: { value, standard_error }, ...anything })).toBe(words);
+  expect(foundWords({ found: null, ...anything })).toBe("no number");
   expect(targetWords({ least: 0.9, most: 1.1 })).toBe("0.9 to 1.1");
   expect(targetWords({ least: null, most: 1 })).toBe("at most 1");
   expect(targetWords({ least: 40, most: null })).toBe("at least 40");
