@@ -36,7 +36,8 @@ function withError({ value, standard_error: error }: Estimate): string {
   const first = Math.abs(value) < 1e6 ? decimals(value, EXACT_DIGITS) : null;
   if (value === 0 && error === 0) return "0";
   if (first !== null && Number(error.toFixed(first)) === 0) return value.toFixed(first);
-  if (first !== null && decimals(error, ERROR_DIGITS) !== null) return inFull({ value, standard_error: error });
+  if (first !== null && decimals(error, ERROR_DIGITS) !== null)
+    return inFull({ value, standard_error: error });
   if (error < 5e-4 * Math.abs(value)) return value.toExponential(3);
   return `${value.toExponential(2)} ± ${error.toExponential(0)}`;
 }
