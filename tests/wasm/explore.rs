@@ -7,8 +7,8 @@ mod fingerprint;
 use fingerprint::geometry_fingerprints;
 use rangelab::model::presets::preset;
 use rangelab_explore::{
-    advise, explore, field_layout, field_parameters, field_probe, field_program, field_rows, improve,
-    mounting_cloud, size_curve,
+    advise, best_next, explore, field_layout, field_parameters, field_probe, field_program, field_rows,
+    improve, mounting_cloud, next_at, size_curve,
 };
 use serde_json::Value;
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
@@ -49,6 +49,11 @@ fn the_facade_of_the_field_hands_through() {
     let advice: Value = serde_json::from_str(&advise(&scenario).ok().unwrap()).unwrap();
     let better: Value = serde_json::from_str(&improve(&scenario, 0).ok().unwrap()).unwrap();
     assert_eq!(advice["value"], better["before"]);
+    let next: Value = serde_json::from_str(&best_next(&scenario).ok().unwrap()).unwrap();
+    let there: Vec<f64> = serde_json::from_value(next["point"].clone()).unwrap();
+    assert_eq!(next, serde_json::from_str::<Value>(&next_at(&scenario, &there).ok().unwrap()).unwrap());
+    assert!(next["after"].as_f64() < next["before"].as_f64(), "one more anchor helps: {next}");
+    assert!(next_at(&scenario, &[1.0]).is_err());
     assert!(field_program(&scenario).ok().unwrap().contains("fn main"));
     assert!(field_parameters(&scenario).ok().unwrap().iter().all(|x| x.is_finite()));
 }

@@ -10,4 +10,4 @@ pub use field::{
     explore, field_layout, field_parameters, field_probe, field_program, field_rows, mounting_cloud,
     size_curve,
 };
-pub use place::{advise, improve};
+pub use place::{advise, best_next, improve, next_at};
