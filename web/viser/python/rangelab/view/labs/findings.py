@@ -6,7 +6,7 @@ from dataclasses import dataclass
 MOST_SENTENCES = 3
 MOST_CHARACTERS = 230
 """More than this nobody reads while the scene moves."""
-COUNTS = "no one two three four five six seven eight nine ten eleven twelve".split()
+COUNTS = ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
 
 
 @dataclass(frozen=True)
