@@ -21,7 +21,7 @@ def stretch_plot(title: str, times: Floats, largest: Sequence[Line], least: Sequ
     pairs = zip(largest, least, strict=True)
     others = [_least(below) for above, below in pairs if (np.abs(above.values - below.values) > ROUNDING).any()]
     dotted = "; dotted: the least" if others else ""
-    return Plot(f"{title}{dotted}", times, (*largest, *others))
+    return Plot(f"{title}{dotted}", times, (*largest, *others), logarithmic=False)
 
 
 def nees_plot(title: str, times: Floats, lines: Sequence[Line], trials: int = 1) -> Plot:
