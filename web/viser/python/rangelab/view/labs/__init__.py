@@ -10,7 +10,8 @@ from ...recording import Recording
 from ...scenario import Scenario
 from ..panel import Panel
 from ..picture import Picture, Source, Wish
-from .anchorless import anchorless, anchorless_controls
+from .anchorless import anchorless
+from .anchorless_panel import anchorless_controls
 from .explore_panel import explore_controls
 from .indoor import indoor
 from .indoor_panel import indoor_controls

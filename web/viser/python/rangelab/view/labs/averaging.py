@@ -9,6 +9,7 @@ from typing import Any
 from ..._core import Cancelled, Error
 from ...indoor import IndoorScenario
 from ...jobs import Progress
+from ...kinematics import KinematicsScenario
 from ...scenario import Scenario
 from ...studies import Study
 from ..panel import Panel
@@ -16,7 +17,7 @@ from ..study_page import StudyPage
 from ..values import in_order, put
 
 TRIALS = 1000
-Studied = Scenario | IndoorScenario
+Studied = Scenario | IndoorScenario | KinematicsScenario
 
 
 @dataclass(frozen=True)
