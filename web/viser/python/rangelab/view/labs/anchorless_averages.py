@@ -1,5 +1,6 @@
 """Averages over many trials of a network, at its own stamps."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -17,8 +18,7 @@ from ..study_page import StudyPage
 from .anchorless_findings import judged
 from .anchorless_levels import Level, Report
 
-HEADS = ("pos.\nmm", "vel.\nmm/s", "accel.\nmm/s²")
-COLUMNS = len(HEADS)
+HEADS = ("position\nmm", "velocity\nmm/s", "accel.\nmm/s²")
 
 
 def subject(scenario: Any) -> Any:
@@ -78,26 +78,32 @@ class KinematicsAverages(StudyPage):
 
 
 def averaged_readout(report: Report) -> Table:
-    """Root mean square errors at time 0 with their standard errors, and how many times its bound each velocity is."""
+    """Root mean square errors at time 0, and how many times its bound that of the velocities is, and how sure."""
     levels = {each.name: each for each in report.levels}
     rows = [_row(name, levels.get(name), found, report.trials) for name, found in report.summaries.items()]
     for kind, found in report.bounds.items():
         errors, look = report.coefficients(kind), KINEMATICS_BOUNDS[kind]
-        rows.append(Row(look, (*_milli(errors), *_milli(()), 1.0)) if errors else Row(look, (), found["failure"] or ""))
-    title = f"RMSE of {report.trials} trials, K = {report.stamps}, t = 0"
-    return Table(((title, HEADS), ("standard errors", HEADS), ("", ("÷ CRB\nvel.",))), tuple(rows))
+        rows.append(Row(look, (*_milli(errors), 1.0, 0.0)) if errors else Row(look, (), found["failure"] or ""))
+    title = f"{report.trials} trials, K = {report.stamps}, t = 0"
+    return Table(((title, HEADS), ("velocity", ("÷ CRB", "±"))), tuple(rows))
 
 
 def _row(name: str, level: Level | None, summary: dict[str, Any], trials: int) -> Row:
     if level is None:
         failures = summary["failures"]
         return Row(KINEMATICS[name], (), f"nothing in {failures} of {trials} trials" if failures else "finds no motion")
+    return Row(KINEMATICS[name], (*_milli(level.errors), *_over_bound(level)))
+
+
+def _over_bound(level: Level) -> tuple[float, float]:
+    """How many times its bound the error of the velocities is, and the standard error of that; NaN where unknown."""
     ratio = level.over_bound(1)
-    numbers = (*_milli(level.errors), *_milli(level.standard_errors or ()), np.nan if ratio is None else ratio)
-    return Row(KINEMATICS[name], numbers)
+    if ratio is None or level.standard_errors is None:
+        return np.nan, np.nan
+    return ratio, ratio * level.standard_errors[1] / level.errors[1]
 
 
-def _milli(values: Any) -> list[float]:
+def _milli(values: Sequence[float]) -> list[float]:
     """The first three in thousandths; NaN for those that there are not."""
-    shown = [1e3 * value for value in values[:COLUMNS]]
-    return [*shown, *[np.nan] * (COLUMNS - len(shown))]
+    shown = [1e3 * value for value in values[: len(HEADS)]]
+    return [*shown, *[np.nan] * (len(HEADS) - len(shown))]

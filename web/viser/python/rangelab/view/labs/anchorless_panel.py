@@ -43,10 +43,10 @@ def anchorless_controls(panel: Panel) -> None:
         _measurements(panel)
     with panel.folder("Gauge: what distances cannot see", opened=True):
         gauge_controls(panel)
-    with panel.folder("Estimators", opened=True):
-        panel.several("estimators.enabled", [(name, look.label) for name, look in KINEMATICS.items()])
     with panel.folder("Averages over trials", opened=True):
         averaging_controls(panel, KINDS)
+    with panel.folder("Estimators", opened=True):
+        panel.several("estimators.enabled", [(name, look.label) for name, look in KINEMATICS.items()])
     with panel.folder("Assumptions"):
         panel.number("estimators.degree", "degree L assumed", step=1, least=0, most=8)
         panel.note(on_degree)
