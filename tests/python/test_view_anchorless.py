@@ -60,6 +60,12 @@ def test_the_spectrum_shows_sizes_and_leaves_rounding_out() -> None:
     ]
 
 
+def test_what_a_logarithmic_plot_cannot_show_is_not_drawn_at_its_end() -> None:
+    with shown(PAPER) as (_, client):
+        scales = [message["props"]["scales"]["y"] for message in client.of_type("GuiUplotMessage")]
+        assert {(each["distr"], each["clamp"]) for each in scales} == {(3, np.inf)}
+
+
 def test_averages_are_those_of_the_report_with_its_bounds() -> None:
     study = averages(PAPER, TRIALS, going)
     report, found = PAPER.study(TRIALS).to_dict(), picture(PAPER, study)

@@ -103,7 +103,8 @@ class Plots:
             bands=_bands(plot, theme),
             scales={
                 "x": {"time": False, "distr": _scale(plot.logarithmic_x)},
-                "y": {"distr": _scale(plot.logarithmic)},
+                # uPlot draws what a logarithmic scale cannot show at its end, NaN too; at infinity it draws nothing.
+                "y": {"distr": _scale(plot.logarithmic), "clamp": float("inf")},
             },
             axes=({"label": plot.axis, "size": 28, "labelSize": 20}, {"size": 62}),
             padding=(12, 24, 0, 0),
