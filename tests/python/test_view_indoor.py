@@ -112,6 +112,20 @@ def test_distributions_are_those_of_the_report() -> None:
         assert (found.logarithmic, found.logarithmic_x) == (False, True)
 
 
+def test_a_curve_ends_at_the_largest_error_of_its_filter() -> None:
+    many = np.linspace(1.0, 2.0, 3001)
+    parts = {
+        name: {"trials": 3001, "failures": 0, "position_distribution": scale * many}
+        for name, scale in (("ekf", 10.0), ("mekf", 1.0))
+    }
+    for summary in parts.values():
+        summary["angle_distribution"] = summary["position_distribution"]
+    found, _ = distribution_plots(MagicMock(summary=lambda name: parts[name]), list(parts))
+    assert len(found.x) < 300
+    mekf = found.lines[1].values
+    assert (mekf[found.x == 2.0].tolist(), found.x[np.argmax(mekf == 100)]) == ([100.0], 2.0)
+
+
 def test_trials_that_failed_stay_below_the_top() -> None:
     errors = [1.0, 2.0, 4.0]
     summary = {"trials": 3, "failures": 1, "position_distribution": errors, "angle_distribution": errors}

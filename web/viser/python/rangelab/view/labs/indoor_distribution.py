@@ -43,10 +43,10 @@ def _plot(averages: Averages, filters: Sequence[str], figure: str, factor: float
 
 
 def _places_of(errors: Sequence[Floats]) -> Floats:
-    """At the errors themselves, all or every so many, and the last; on a logarithmic axis there is no 0."""
+    """At the errors themselves, all or every so many, and at the largest of each filter, where its curve ends."""
     places = np.unique(np.concatenate([*errors, np.empty(0)]))
-    places = places[places > 0]
     step = max(1, -(-len(places) // MOST_PLACES))
-    kept = np.arange(len(places)) % step == 0
-    kept[-1:] = True
-    return np.asarray(places[kept])
+    ends = [each.max() for each in errors if len(each)]
+    kept = (np.arange(len(places)) % step == 0) | np.isin(places, ends)
+    # On a logarithmic axis there is no 0.
+    return np.asarray(places[kept & (places > 0)])
