@@ -10,9 +10,11 @@ from ...recording import Recording
 from ...scenario import Scenario
 from ..panel import Panel
 from ..picture import Picture, Source, Wish
-from .anchorless import anchorless, anchorless_controls
+from .anchorless import anchorless
+from .anchorless_panel import anchorless_controls
 from .explore_panel import explore_controls
-from .indoor import indoor, indoor_controls
+from .indoor import indoor
+from .indoor_panel import indoor_controls
 from .localize import localize, localize_controls
 from .replay import replay_controls
 from .track import track

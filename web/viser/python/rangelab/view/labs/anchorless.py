@@ -1,27 +1,34 @@
 """Mobile nodes that measure distances between each other: their motion, and what estimators find of it."""
 
 from dataclasses import dataclass
-from typing import Any
+from functools import cached_property
 
 import numpy as np
 
 from ..._core import Error
 from ...arrays import Floats
-from ...distances import kinematics_estimators
+from ...gram_spectrum import GramSpectrum
 from ...kinematics import KinematicsBound, KinematicsScenario
 from ...kinematics_run import KinematicsEstimatorRun, KinematicsRun
 from ...motion import RelativeKinematics
 from .. import shapes
 from ..canvas import Canvas
 from ..looks import KINEMATICS, KINEMATICS_BOUNDS
-from ..panel import Panel
-from ..picture import Change, Handle, Wish
+from ..panel import Document
+from ..picture import Handle, Wish
 from ..plots import Line, Plot
 from ..readout import Row, Table
+from ..study_page import StudyPage
+from ..words import number
 from . import drawing
-from .choices import Chosen
-from .gauge import gauge_controls
-from .track_panel import seed_controls
+from .anchorless_averages import KinematicsAverages, averaged_readout
+from .anchorless_findings import described
+from .anchorless_handles import handles_of
+from .anchorless_hints import ERRORS, arrow_seconds, hint_of, reach
+from .anchorless_levels import bound_kinds
+from .anchorless_spectrum import spectrum_plots
+from .anchorless_sweep import Sweep, count_of_stamps
+from .gauge import gauge_of, seen
 
 DERIVATIVES = {1: "velocity", 2: "acceleration"}
 
@@ -31,9 +38,12 @@ class AnchorlessPicture:
     """A run of the estimators."""
 
     wish: Wish
+    document: Document
     run: KinematicsRun
+    """Of the network as the gauge shows it."""
     motion: RelativeKinematics
-    """The true motion, in the frame of the scenario."""
+    """The true motion, as the gauge shows it."""
+    spectrum: GramSpectrum
     bounds: dict[str, KinematicsBound | str]
     """Those for what the estimators know, by a name of `KINEMATICS_BOUNDS`; a sentence where there is none."""
 
@@ -55,54 +65,76 @@ class AnchorlessPicture:
 
     @property
     def magnification(self) -> float:
-        """So that the largest error is seen."""
+        """As the scenario says, else so that the largest error is seen."""
         errors = [each.position_errors for each in self.run.estimators.values()]
-        return drawing.magnification(errors, drawing.extent_of(self.outline))
+        return hint_of(self.document, ERRORS) or drawing.magnification(errors, drawing.extent_of(self.outline))
+
+    @cached_property
+    def arrow_magnification(self) -> float:
+        """The same for the tips of the arrows."""
+        found = [each.coefficient_errors for each in self.run.estimators.values()]
+        errors = [reach(self.document, order) * each[order : order + 1] for each in found for order in DERIVATIVES]
+        return hint_of(self.document, ERRORS) or drawing.magnification(errors, drawing.extent_of(self.outline))
 
     @property
     def arrow_seconds(self) -> float:
         """Arrows reach where the velocity alone, or the acceleration alone, would carry a node in this time."""
-        return 2 * float(np.ptp(self.times)) or 1.0
+        return arrow_seconds(self.document)
 
     def sentences(self) -> list[str]:
-        """What gave nothing and why, and what is compared."""
-        stopped = [f"{each.label} stopped: {each.failure}" for each in self.run.estimators.values() if each.failure]
+        """What the trial or the study shows, how the network is turned, and how the scene is drawn."""
+        study = self.wish.study
+        bounds = {kind: self._least_errors(kind) for kind in self.bounds}
+        told = study.sentence(self.document) if isinstance(study, StudyPage) else described(self.run, bounds)
         missing = [f"{self.run.missing} distances are missing."] if self.run.missing else []
-        told = "Arrows: velocities and (dashed) accelerations at time 0. Estimates are aligned with the truth. "
-        told += "Ellipsoids: one standard deviation of the bound, as many times as large as errors."
-        return [*stopped, *missing, told]
+        drawn = (
+            f"Arrows: velocities and (dashed) accelerations at time 0, {number(self.arrow_seconds)} s of way; "
+            f"errors at arrows × {number(self.arrow_magnification)}. Estimates are aligned with the truth. "
+            "Ellipsoids: the bound."
+        )
+        return [told, *missing, *self._turned(), drawn]
+
+    def _turned(self) -> list[str]:
+        gauge = gauge_of(self.document)
+        if gauge.is_identity:
+            return []
+        mirrored = ", mirrored," if gauge.mirrored else ""
+        way = ", ".join(number(each) for each in gauge.shift)
+        return [f"The gauge turns the network by {number(gauge.degrees)} degrees{mirrored} and shifts it by ({way}) m."]
 
     def handles(self) -> list[Handle]:
-        """The nodes at time 0, and the tips of their velocities."""
-        places, *derivatives = self.motion.coefficients
-        nodes = [_node(n, place) for n, place in enumerate(places)]
-        if not derivatives:
-            return nodes
-        way = self.arrow_seconds
-        return [*nodes, *(_tip(n, place, place + way * derivatives[0][n], way) for n, place in enumerate(places))]
+        """The nodes at time 0, and the tips of their velocities, where the gauge shows them."""
+        return handles_of(self.document)
 
     def plots(self) -> list[Plot]:
-        """The page's plots of one run."""
+        """The page's plots of one run, or of the study that there is."""
+        if isinstance(self.wish.study, StudyPage):
+            return self.wish.study.plots(self.document)
         estimators = self.run.estimators
         one = {name: each.position_errors for name, each in estimators.items() if len(each.position_errors)}
         each_time = {name: each.aligned_position_errors for name, each in estimators.items()}
         lines = drawing.lines_of(KINEMATICS, {name: values for name, values in each_time.items() if len(values)})
+        _, nodes, dimension = self.motion.coefficients.shape
         return [
             self._plot("Error, one alignment, m", self._bound_lines(at_each=False) + drawing.lines_of(KINEMATICS, one)),
             self._plot("Error, aligned at each t, m", self._bound_lines(at_each=True) + lines),
+            *spectrum_plots(self.spectrum, nodes, dimension, self.document["estimators"]["degree"]),
         ]
 
     def readout(self, step: int) -> Table:
-        """Errors of the positions at a step, and of the motion at time 0, beside the bounds."""
+        """Errors of the positions at a step, and of the motion at time 0, beside the bounds; or those of the study."""
+        study = self.wish.study
+        if isinstance(study, KinematicsAverages):
+            return averaged_readout(study.report)
+        if isinstance(study, Sweep):
+            return averaged_readout(study.nearest(count_of_stamps(self.document)))
         rows = [_row_of(name, each, step) for name, each in self.run.estimators.items()]
-        orders = range(min(3, len(self.run.truth)))
         for name, bound in self.bounds.items():
             if isinstance(bound, str):
                 rows.append(Row(KINEMATICS_BOUNDS[name], (), bound))
                 continue
             now = float(bound.position_rmse(self.times[step])[0])
-            at_start = [bound.coefficient_rmse(order) for order in orders]
-            rows.append(Row(KINEMATICS_BOUNDS[name], _padded(now, at_start)))
+            rows.append(Row(KINEMATICS_BOUNDS[name], _padded(now, self._least_errors(name)[:3])))
         heads = ("position\nmm", "velocity\nmm/s", "accel.\nmm/s²")
         return Table(((f"t = {self.times[step]:.3g} s", ("position\nmm",)), ("errors at t = 0", heads)), tuple(rows))
 
@@ -122,6 +154,7 @@ class AnchorlessPicture:
             errors = self._errors(each, step)
             if errors is None:
                 continue
+            self._draw_found_arrows(canvas, each, rim)
             look, places = KINEMATICS[name], now + magnify * shapes.lifted(errors)
             segments = np.stack([now, places], axis=1)
             known = np.isfinite(segments).all(axis=(1, 2))
@@ -129,7 +162,7 @@ class AnchorlessPicture:
             canvas.marks(f"/estimators/{name}/marks", places[known], look, 1.0 + 0.25 * rim)
 
     def _draw_bound(self, canvas: Canvas, step: int, magnify: float) -> None:
-        """An ellipsoid about each node: one standard deviation of the best that any estimator could do."""
+        """An ellipsoid about each node: the best that any estimator could do."""
         known = [bound for bound in self.bounds.values() if not isinstance(bound, str)]
         if not known:
             return
@@ -140,14 +173,36 @@ class AnchorlessPicture:
             canvas.ellipsoid(f"/bound/{n}", blocks[n, :, n], place, magnify, "bound")
 
     def _draw_arrows(self, canvas: Canvas) -> None:
+        for order, (starts, tips) in self._arrows().items():
+            canvas.lines(f"/arrows/{DERIVATIVES[order]}", _arrows(starts, tips, order), "anchor", 1.5)
+
+    def _draw_found_arrows(self, canvas: Canvas, each: KinematicsEstimatorRun, rim: float) -> None:
+        """The arrows as an estimator found them: their ends as much off as its errors, magnified."""
+        if not len(each.coefficients):
+            return
+        shared = min(len(each.coefficients), len(self.run.truth))
+        errors = shapes.lifted(each.coefficients[:shared] - self.run.truth[:shared])
+        for order, (starts, tips) in self._arrows().items():
+            if order >= shared:
+                continue
+            found_start = starts + self.arrow_magnification * errors[0]
+            off = errors[0] + reach(self.document, order) * errors[order]
+            segments = _arrows(found_start, tips + self.arrow_magnification * off, order)
+            name = f"/estimators/{each.name}/{DERIVATIVES[order]}"
+            canvas.lines(name, segments, KINEMATICS[each.name].token, 1.0 + rim)
+
+    def _arrows(self) -> dict[int, tuple[Floats, Floats]]:
+        """Starts and tips (N x 3, m) of the true arrows at time 0, by their order."""
         places, *derivatives = shapes.lifted(self.motion.coefficients)
-        way = self.arrow_seconds
-        for order, vectors in enumerate(derivatives[:2], 1):
-            tips = places + (way if order == 1 else way**2 / 2) * vectors
-            segments = np.stack([places, tips], axis=1)
-            if order == 2:
-                segments = shapes.dashed(shapes.divided(segments, 12))
-            canvas.lines(f"/arrows/{DERIVATIVES[order]}", segments, "anchor", 1.5)
+        return {
+            order: (places, places + reach(self.document, order) * vectors)
+            for order, vectors in zip(DERIVATIVES, derivatives, strict=False)
+        }
+
+    def _least_errors(self, kind: str) -> list[float]:
+        """What the bound allows of `Y_0, Y_1, ...`, m/s^l; nothing where there is none."""
+        bound = self.bounds[kind]
+        return [] if isinstance(bound, str) else [bound.coefficient_rmse(order) for order in range(len(self.run.truth))]
 
     def _errors(self, each: KinematicsEstimatorRun, step: int) -> Floats | None:
         """What an estimator is off at a step, m: N x D; None where it has no places."""
@@ -179,11 +234,17 @@ def anchorless(wish: Wish) -> AnchorlessPicture:
         Error: in a sentence.
     """
     assert isinstance(wish.source, KinematicsScenario)
-    run = wish.source.run(wish.trial)
-    senses = any(senses for name, _, senses in kinematics_estimators() if name in run.estimators)
-    kinds = {"distances": False, **({"accelerometers": True} if senses else {})}
-    bounds = {kind: _bound(wish.source, accelerations) for kind, accelerations in kinds.items()}
-    return AnchorlessPicture(wish, run, wish.source.motion, bounds)
+    document = wish.source.to_dict()
+    moved = wish.source if gauge_of(document).is_identity else wish.source.replace(coefficients=seen(document))
+    run = moved.run(wish.trial)
+    bounds = {kind: _bound(moved, kind == "accelerometers") for kind in bound_kinds(list(run.estimators))}
+    return AnchorlessPicture(wish, document, run, moved.motion, moved.gram_spectrum(wish.trial), bounds)
+
+
+def _arrows(starts: Floats, tips: Floats, order: int) -> Floats:
+    """Segments; accelerations are dashed."""
+    segments = np.stack([starts, tips], axis=1)
+    return segments if order == 1 else shapes.dashed(shapes.divided(segments, 12))
 
 
 def _bound(scenario: KinematicsScenario, accelerations: bool) -> KinematicsBound | str:
@@ -204,68 +265,3 @@ def _row_of(name: str, each: KinematicsEstimatorRun, step: int) -> Row:
 def _padded(now: float, at_start: list[float]) -> tuple[float, ...]:
     """Numbers of four columns in thousandths; NaN for orders that a motion does not have."""
     return tuple(1e3 * value for value in [now, *at_start, *[np.nan] * (3 - len(at_start))])
-
-
-def anchorless_controls(panel: Panel) -> None:
-    """The controls of the page's lab Anchorless."""
-    with panel.folder("Estimators", opened=True):
-        panel.several("estimators.enabled", [(name, look.label) for name, look in KINEMATICS.items()])
-    with panel.folder("Noise", opened=True):
-        panel.number("noise.sigma_distance", "distance σ_d, m", step=0.01, least=0.0)
-        panel.number("noise.sigma_acceleration", "acceleration σ_a, m/s²", step=0.001, least=0.0)
-        panel.number("noise.missing_probability", "missing distances, %", factor=100.0, step=5.0, least=0.0, most=100.0)
-        seed_controls(panel)
-    with panel.folder("Stamps", opened=True):
-        panel.number("stamps.count", "stamps K", step=10, least=1)
-        panel.number("stamps.first", "first, s", step=0.5)
-        panel.number("stamps.last", "last, s", step=0.5)
-        panel.number("steps", "steps played", step=10, least=1)
-    with panel.folder("Assumed motion"):
-        panel.number("estimators.degree", "degree L assumed", step=1, least=0, most=8)
-        panel.number("estimators.range_degree", "degree q of a range", step=1, least=2, most=16)
-    with panel.folder("Nodes"):
-        _nodes(panel)
-    with panel.folder("What distances cannot see"):
-        gauge_controls(panel)
-
-
-def _nodes(panel: Panel) -> None:
-    chosen = Chosen(panel, "node", lambda document: [f"N{n + 1}" for n in range(len(document["coefficients"][0]))])
-    for order, label in enumerate(("position, m", "velocity, m/s", "acceleration, m/s²")):
-        chosen.vector(f"coefficients[{order}][#]", label, step=1.0 if order == 0 else 0.1)
-    chosen.act("Remove the node", _without)
-    panel.button("Add a node", lambda: panel.edit("node", _with_node))
-
-
-def _with_node(scenario: Any) -> Any:
-    """One more node, off the middle of the others, that moves as they do on the average."""
-    coefficients = np.array(scenario.to_dict()["coefficients"])
-    new = coefficients.mean(axis=1, keepdims=True)
-    new[0] += 0.1 * np.ptp(coefficients[0], axis=0)
-    return scenario.replace(coefficients=np.concatenate([coefficients, new.round(3)], axis=1))
-
-
-def _without(index: int) -> Change:
-    return lambda scenario: scenario.replace(
-        coefficients=np.delete(np.array(scenario.to_dict()["coefficients"]), index, axis=1)
-    )
-
-
-def _node(n: int, place: Floats) -> Handle:
-    return Handle(
-        f"/anchors/{n}",
-        f"N{n + 1}",
-        place,
-        lambda to, _: lambda scenario: scenario.replace({f"coefficients[0][{n}]": to}),
-        size=0.7,
-    )
-
-
-def _tip(n: int, node: Floats, tip: Floats, way: float) -> Handle:
-    return Handle(
-        f"/velocities/{n}",
-        "",
-        tip,
-        lambda to, _: lambda scenario: scenario.replace({f"coefficients[1][{n}]": (to - node) / way}),
-        size=0.4,
-    )

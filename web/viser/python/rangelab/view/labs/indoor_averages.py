@@ -5,21 +5,27 @@ import numpy as np
 from ...arrays import Floats
 from ..looks import FILTERS
 from ..panel import DEGREES
-from ..plots import Plot, expected
+from ..plots import Plot
 from ..readout import Row, Table
 from .averages import Averages
+from .indoor_distribution import distribution_plots
+from .indoor_plots import nees_plot, stretch_plot
 
 HEADS = ("orient.\ndeg", "position\nm")
 
 
-def averaged_plots(averages: Averages, times: Floats) -> list[Plot]:
-    """The plots of one run as averages over trials."""
+def averaged_plots(averages: Averages, times: Floats, filters: list[str]) -> list[Plot]:
+    """The plots of one run as averages over trials, and how the errors of the trials are distributed."""
+    ended = [name for name in filters if averages.summary(name)["trials"]]
+    looks = {name: FILTERS[name] for name in ended}
     lines = averages.lines
+    largest, least = (lines(looks, f"{which}_singular_value") for which in ("largest", "smallest"))
     return [
-        Plot("Position RMSE, m", times, lines(FILTERS, "position")),
-        Plot("Orientation RMSE, deg", times, lines(FILTERS, "angle", DEGREES)),
-        Plot("Mean largest singular value of R", times, lines(FILTERS, "largest_singular_value")),
-        Plot("Mean NEES / dof", times, (*lines(FILTERS, "nees"), expected(times))),
+        Plot("Position RMSE, m", times, lines(looks, "position")),
+        Plot("Orientation RMSE, deg", times, lines(looks, "angle", DEGREES)),
+        *distribution_plots(averages, filters),
+        stretch_plot("Mean singular values of R", times, largest, least),
+        nees_plot("Mean NEES / dof", times, lines(looks, "nees"), averages.trials),
     ]
 
 
