@@ -40,12 +40,14 @@ class Canvas:
         self._seen: set[str] = set()
         self.unit = 1.0
         """How large the scene is, m."""
+        self.ellipsoids = False
+        """Whether there are ellipsoids, which have to be explained."""
 
     @contextmanager
     def drawing(self) -> Iterator[None]:
         """What is drawn within is all there is; browsers show it at once."""
         with self._server.atomic():
-            self._seen = set()
+            self._seen, self.ellipsoids = set(), False
             yield
             for name in self._parts.keys() - self._seen:
                 self._parts.pop(name)[0].remove()
@@ -82,10 +84,11 @@ class Canvas:
             lambda: self._server.scene.add_point_cloud(name, points, colour, point_size=world, point_shape=shape),
         )
 
-    def ellipsoid(self, name: str, covariance: Floats, centre: Floats, scale: float, token: str) -> None:
-        """The surface at `scale` standard deviations; nothing where the covariance is not known."""
+    def ellipsoid(self, name: str, covariance: Floats, centre: Floats, magnify: float, token: str) -> None:
+        """What holds 95 % of the places, so many times as large; nothing where the covariance is not known."""
         if np.isfinite(covariance).all() and np.isfinite(centre).all():
-            self.faces(name, *shapes.ellipsoid(covariance, centre, scale), token, 0.25)
+            self.ellipsoids = True
+            self.faces(name, *shapes.ellipsoid(covariance, centre, magnify), token, 0.25)
 
     def faces(self, name: str, vertices: Floats, triangles: np.ndarray, token: str, opacity: float) -> None:
         """A surface that one sees through."""

@@ -1,8 +1,11 @@
 """Points, lines and meshes of what is shown: plain arrays, in space; scenes in the plane lie at height 0."""
 
+from functools import cache
+
 import numpy as np
 
 from ..arrays import Floats
+from ..consistency import chi_squared_interval
 from ..field import Field
 
 Mesh = tuple[Floats, np.ndarray]
@@ -62,14 +65,21 @@ def sphere(rings: int = 10, sectors: int = 18) -> Mesh:
     return vertices, faces.reshape(-1, 3)
 
 
-def ellipsoid(covariance: Floats, centre: Floats, scale: float) -> Mesh:
-    """The surface at `scale` standard deviations about a centre; flat in the plane."""
+@cache
+def radius_95(dimension: int) -> float:
+    """How many standard deviations from its mean 95 % of a normal distribution lie: the root of chi-square's quantile."""
+    # The interval leaves as much above as below it.
+    return float(np.sqrt(chi_squared_interval(dimension, 0.9)[1]))
+
+
+def ellipsoid(covariance: Floats, centre: Floats, magnify: float) -> Mesh:
+    """The surface about a centre that holds 95 % of the places, so many times as large; flat in the plane."""
     d = covariance.shape[0]
     values, vectors = np.linalg.eigh(covariance)
     root = np.zeros((3, 3))
     root[:d, :d] = vectors * np.sqrt(np.maximum(values, 0.0))
     vertices, faces = sphere()
-    return scale * vertices @ root.T + lifted(centre), faces
+    return magnify * radius_95(d) * vertices @ root.T + lifted(centre), faces
 
 
 def field_mesh(field: Field) -> tuple[Floats, np.ndarray, Floats]:

@@ -25,6 +25,7 @@ from .themes import THEMES
 from .timeline import Timeline
 
 PANEL_WIDTH = 400
+ELLIPSOIDS = "Ellipsoids hold 95 % of the positions that are expected, as many times as large as errors."
 
 
 class Viewer:
@@ -74,6 +75,11 @@ class Viewer:
     def shown(self) -> Picture:
         """What is shown: the last that could be computed."""
         return self._studio.good
+
+    @property
+    def said(self) -> str:
+        """What is told of it in words."""
+        return str(self._note.content)
 
     @property
     def server(self) -> viser.ViserServer:
@@ -201,6 +207,7 @@ class Viewer:
         source = picture.wish.source
         teaching = "" if isinstance(source, Recording) else preset_summary(source)
         told = [f"**{picture.name}** {teaching}".strip(), *picture.sentences()]
+        told += [ELLIPSOIDS] * self._canvas.ellipsoids
         self._note.content = "\n\n".join(told)
 
     def _refuse(self, sentence: str) -> None:

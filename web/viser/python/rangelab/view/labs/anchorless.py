@@ -69,7 +69,7 @@ class AnchorlessPicture:
         stopped = [f"{each.label} stopped: {each.failure}" for each in self.run.estimators.values() if each.failure]
         missing = [f"{self.run.missing} distances are missing."] if self.run.missing else []
         told = "Arrows: velocities and (dashed) accelerations at time 0. Estimates are aligned with the truth. "
-        told += "Ellipsoids: one standard deviation of the bound, as many times as large as errors."
+        told += "Ellipsoids: the bound."
         return [*stopped, *missing, told]
 
     def handles(self) -> list[Handle]:
@@ -129,7 +129,7 @@ class AnchorlessPicture:
             canvas.marks(f"/estimators/{name}/marks", places[known], look, 1.0 + 0.25 * rim)
 
     def _draw_bound(self, canvas: Canvas, step: int, magnify: float) -> None:
-        """An ellipsoid about each node: one standard deviation of the best that any estimator could do."""
+        """An ellipsoid about each node: the best that any estimator could do."""
         known = [bound for bound in self.bounds.values() if not isinstance(bound, str)]
         if not known:
             return
