@@ -22,7 +22,8 @@ class Row:
     """What one estimator or bound reached."""
 
     look: Look
-    numbers: tuple[float, ...]
+    numbers: tuple[float | None, ...]
+    """By column; nothing is written for None and for those that are left out at the end."""
     remark: str = ""
     """Why there are no numbers; told in their place."""
 
@@ -93,8 +94,9 @@ def _row(row: Row, columns: int, theme: Theme) -> str:
     head = f"<th scope=row style='text-align:left;font-weight:500'>{name}</th>"
     if row.remark:
         return f"<tr>{head}<td colspan={columns} style='padding-left:0.4rem'>{escape(row.remark)}</td></tr>"
-    return f"<tr>{head}{_cells(row.numbers)}</tr>"
+    return f"<tr>{head}{_cells((*row.numbers, *[None] * (columns - len(row.numbers))))}</tr>"
 
 
-def _cells(numbers: Sequence[float]) -> str:
-    return "".join(f"<td style='padding-left:0.4rem;text-align:right'>{reading(number)}</td>" for number in numbers)
+def _cells(numbers: Sequence[float | None]) -> str:
+    texts = ["" if number is None else reading(number) for number in numbers]
+    return "".join(f"<td style='padding-left:0.4rem;text-align:right'>{text}</td>" for text in texts)

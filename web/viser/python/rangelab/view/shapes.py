@@ -85,13 +85,28 @@ def ellipsoid(covariance: Floats, centre: Floats, magnify: float) -> Mesh:
 def field_mesh(field: Field) -> tuple[Floats, np.ndarray, Floats]:
     """The rectangle of a field: vertices, faces, and for each vertex the place on the picture (0 to 1, from below).
 
-    The picture ends at the centres of the outer cells: beyond its edge it would begin anew.
+    It ends at the centres of the outer cells: beyond the picture's edge the picture would begin anew.
     """
-    corner, along, across = field.edges
-    places = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
-    vertices = corner + places[:, :1] * along + places[:, 1:] * across
     cells = np.array(field.values.shape[::-1], dtype=np.float64)
-    return vertices, np.array([[0, 1, 2], [0, 2, 3]]), (places * (cells - 1) + 0.5) / cells
+    corners = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
+    places = (corners * (cells - 1) + 0.5) / cells
+    return on_field(field, places), np.array([[0, 1, 2], [0, 2, 3]]), places
+
+
+def on_field(field: Field, places: Floats) -> Floats:
+    """Places on the picture of a field (P x 2, 0 to 1) in the world, m: P x 3."""
+    corner, along, across = field.edges
+    return np.asarray(corner + places[:, :1] * along + places[:, 1:] * across)
+
+
+def hit(field: Field, origin: Floats, direction: Floats) -> Floats | None:
+    """Where a ray meets the rectangle of a field, m: 3; None beside it and where it is seen edge-on."""
+    corner, along, across = field.edges
+    columns = np.stack([along, across, -direction], axis=1)
+    if abs(np.linalg.det(columns)) < 1e-12 * np.prod(np.linalg.norm(columns, axis=0)):
+        return None
+    u, v, way = np.linalg.solve(columns, origin - corner)
+    return np.asarray(origin + way * direction) if way > 0 and 0 <= u <= 1 and 0 <= v <= 1 else None
 
 
 def quaternion(rotation: Floats) -> Floats:

@@ -45,6 +45,12 @@ class Studio:
         return None if isinstance(source, Recording) else source
 
     @property
+    def before(self) -> Wish | None:
+        """What was asked for before the last edit, of a drag before its beginning."""
+        with self._changed:
+            return self._history.before
+
+    @property
     def stopped(self) -> bool:
         """Whether the viewer has ended, and with it what goes on in the background."""
         return self._stopped

@@ -62,7 +62,7 @@ class LocalizePicture:
     @property
     def _scale(self) -> float:
         assert isinstance(self.wish.source, Scenario)
-        return drawing.body_scale(self.wish.source.sensors, drawing.extent_of(self.outline))
+        return drawing.body_scale(self.wish.source.sensors, drawing.extent_of(self.outline), drawing.ALONE)
 
     def sentences(self) -> list[str]:
         """Who failed, and who mirrors the body in how many trials."""
@@ -80,7 +80,7 @@ class LocalizePicture:
     def handles(self) -> list[Handle]:
         """Anchors and the body."""
         assert isinstance(self.wish.source, Scenario)
-        return anchor_handles(self.wish.source.to_dict())
+        return drawing.around_the_body(anchor_handles(self.wish.source.to_dict()))
 
     def plots(self) -> list[Plot]:
         """Errors trial by trial beside the bounds."""
