@@ -105,13 +105,19 @@ class Canvas:
             ),
         )
 
-    def label(self, name: str, text: str, place: Floats) -> None:
-        """A word at a place (3, m)."""
+    def label(self, name: str, text: str, place: Floats, *, centred: bool = False) -> None:
+        """A word below and to the right of a place (3, m), or on it."""
         scale = self.theme.letters
         self._put(
             name,
             (text, place, scale),
-            lambda: self._server.scene.add_label(name, text, position=place, font_screen_scale=scale),
+            lambda: self._server.scene.add_label(
+                name,
+                text,
+                position=place,
+                font_screen_scale=scale,
+                anchor="center-center" if centred else "top-left",
+            ),
         )
 
     def field(self, name: str, field: Field, limit: float | None, levels: Levels | None = None) -> None:
@@ -138,7 +144,7 @@ class Canvas:
 
         self._put(name, (field.values, field.edges, limit, levels, self.theme.css("no-bound")), made)
         for i, (text, u, v) in enumerate(label_places(crossed, levels)):
-            self.label(f"{name}-level-{i}", text, shapes.on_field(field, np.array([[u, v]]))[0])
+            self.label(f"{name}-level-{i}", text, shapes.on_field(field, np.array([[u, v]]))[0], centred=True)
 
     def _put(self, name: str, what: tuple[Any, ...], make: Callable[[], viser.SceneNodeHandle]) -> None:
         self._seen.add(name)

@@ -1,6 +1,7 @@
 """Points, lines and meshes of what is shown: plain arrays, in space; scenes in the plane lie at height 0."""
 
-from functools import cache
+from functools import cache, lru_cache
+from itertools import combinations
 
 import numpy as np
 
@@ -10,6 +11,9 @@ from ..field import Field
 
 Mesh = tuple[Floats, np.ndarray]
 """Vertices (V x 3) and faces (F x 3, whole numbers)."""
+
+FLAT = 1e-6
+"""Points nearer to a line than this part of the body are on it."""
 
 
 def lifted(points: Floats) -> Floats:
@@ -42,6 +46,45 @@ def pairs(points: Floats) -> Floats:
     return np.stack([points[i], points[j]], axis=1)
 
 
+def frame(body: Floats, places: Floats) -> Floats:
+    """The edges of a body's hull (S x 2 x 3): its points in its own frame (N x D), and where they are (N x D)."""
+    edges = hull_edges(tuple(map(tuple, lifted(body).tolist())))
+    return lifted(places)[edges] if len(edges) else np.zeros((0, 2, 3))
+
+
+@lru_cache(64)
+def hull_edges(body: tuple[tuple[float, float, float], ...]) -> np.ndarray:
+    """Which points of a body are joined by an edge of its convex hull: E x 2; of a rod its ends.
+
+    Seen along an edge, both its ends are one corner of the shadow of the body.
+    """
+    points = np.array(body)
+    size = float(np.linalg.norm(points - points.mean(axis=0), axis=1).max())
+    found = [pair for pair in combinations(range(len(points)), 2) if _is_edge(points, *pair, size)]
+    return np.array(found, dtype=int).reshape(-1, 2)
+
+
+def _is_edge(points: Floats, i: int, j: int, size: float) -> bool:
+    along = points[j] - points[i]
+    length = float(np.linalg.norm(along))
+    if length < FLAT * size:
+        return False
+    ways = points - points[i]
+    shares = ways @ along / length**2
+    shadow = ways - shares[:, None] * along
+    aside = np.linalg.norm(shadow, axis=1) > FLAT * size
+    if (shares[~aside] < -FLAT).any() or (shares[~aside] > 1 + FLAT).any():
+        return False
+    if not aside.any():
+        return True
+    first = shadow[aside][0] / np.linalg.norm(shadow[aside][0])
+    second = np.cross(along / length, first)
+    angles = np.sort(np.arctan2(shadow[aside] @ second, shadow[aside] @ first))
+    # A corner: all others are within less than half a turn.
+    gaps = np.diff(np.append(angles, angles[0] + 2 * np.pi))
+    return bool(gaps.max() > np.pi + FLAT)
+
+
 def between(origins: Floats, ends: Floats, present: np.ndarray) -> Floats:
     """The segments from each of the first to each of the second points (M x N) that are present."""
     m, n = np.nonzero(present)
@@ -67,7 +110,7 @@ def sphere(rings: int = 10, sectors: int = 18) -> Mesh:
 
 @cache
 def radius_95(dimension: int) -> float:
-    """How many standard deviations from its mean 95 % of a normal distribution lie: the root of chi-square's quantile."""
+    """How many standard deviations hold 95 % of a normal distribution: the root of the quantile of chi-square."""
     # The interval leaves as much above as below it.
     return float(np.sqrt(chi_squared_interval(dimension, 0.9)[1]))
 

@@ -92,7 +92,7 @@ class Stage:
 
 
 def seen_whole(outline: Floats, fov: float, aspect: float) -> tuple[Floats, Floats]:
-    """Where a camera looks to and from, just far enough to see all points (P x 3, m); `fov` is from top to bottom, rad."""
+    """Where a camera looks to and from, just far enough to see all points (P x 3, m); `fov` is upright, rad."""
     low, high = outline.min(axis=0), outline.max(axis=0)
     flat = high[2] - low[2] <= UPRIGHT * float(np.linalg.norm(high - low))
     away = np.array([0.0, -0.15, 1.0]) if flat else np.array([0.25, -1.0, 0.75])

@@ -86,7 +86,7 @@ class Studio:
             self._compute_soon()
 
     def add(self, wish: Wish, **found: object) -> None:
-        """Adds what was found for a wish, which is no edit that could be taken back; nothing where it is another one."""
+        """Adds what was found for a wish, which is no edit; nothing where another one is shown."""
         with self._changed:
             if self.still_asks(wish):
                 self._history.amend(replace(self._history.present, **found))  # type: ignore[arg-type]

@@ -14,7 +14,8 @@ from .anchorless import anchorless, anchorless_controls
 from .explore import explore
 from .explore_panel import bound_controls, explore_controls
 from .indoor import indoor, indoor_controls
-from .localize import localize, localize_controls
+from .localize import localize
+from .localize_panel import localize_controls
 from .replay import replay_controls
 from .track import track
 from .track_panel import track_controls

@@ -69,11 +69,11 @@ class Bench:
         canvas.lines("/bench/frame", corners[edges], "ink-soft", 1.5)
         tips = self.centre + self.half * np.eye(3)[:d]
         canvas.lines("/bench/axes", np.stack([np.tile(self.centre, (d, 1)), tips], axis=1), "ink-soft", 1.0)
-        for axis, tip in zip("xyz", tips, strict=False):
-            canvas.label(f"/bench/{axis}", axis, tip)
+        for axis, letter in zip("xyz", self.centre + 1.1 * (tips - self.centre), strict=False):
+            canvas.label(f"/bench/{axis}", axis, letter, centred=True)
         canvas.label("/bench/name", f"body, {self.times:.3g} times as large", corners[0])
         places = self.places(sensors)
-        canvas.lines("/bench/body", shapes.pairs(places), "truth", 2.5)
+        canvas.lines("/bench/body", shapes.frame(sensors, places), "truth", 2.5)
         if mounting_sigma > 0:
             covariance = (mounting_sigma * self.times) ** 2 * np.eye(d)
             for n, place in enumerate(places):

@@ -1,5 +1,6 @@
 """The body designer: presets, sizes and sensors of the body, and what the last change of it was worth."""
 
+from collections.abc import Callable
 from html import escape
 from typing import Any, cast
 
@@ -33,16 +34,21 @@ def body_controls(panel: Panel) -> None:
     _size(panel)
     panel.note(lambda _: _size_told(panel))
     sensor_controls(panel)
+    mounting_control(panel, unknown_to_all)
+
+
+def mounting_control(panel: Panel, told: Callable[[Document], str]) -> None:
+    """How exactly sensors sit, and what that costs."""
+    panel.number("mounting_sigma", "mounting error σ_e, m", step=0.01, least=0.0, hint="of each coordinate, one σ")
+    panel.note(told)
 
 
 def sensor_controls(panel: Panel) -> None:
-    """Where each sits, in the frame of the body, and how exactly."""
+    """Where each sits, in the frame of the body."""
     chosen = Chosen(panel, "sensor", lambda document: [f"S{n + 1}" for n in range(len(document["sensors"]))])
     chosen.vector("sensors[#]", "position, m", step=0.05)
     chosen.act("Remove the sensor", _without_sensor)
     panel.button("Add a sensor", lambda: panel.edit("sensor", with_sensor))
-    panel.number("mounting_sigma", "mounting error σ_e, m", step=0.01, least=0.0, hint="of each coordinate, one σ")
-    panel.note(_mounting_told)
 
 
 def topology_of(sensors: Floats) -> str:
@@ -161,14 +167,18 @@ def _size_told(panel: Panel) -> str:
     return SizeCurves.of(document).sentence() if isinstance(document, Scenario) else ""
 
 
-def _mounting_told(document: Document) -> str:
-    sigma, sensors = document["mounting_sigma"], document["sensors"]
-    if sigma == 0:
+def position_floor(document: Document) -> str:
+    """The position that least squares finds is off by this, however good the ranges are (one σ), m."""
+    return reading(float(document["mounting_sigma"] * np.sqrt(document["dimension"] / len(document["sensors"]))))
+
+
+def unknown_to_all(document: Document) -> str:
+    """What a mounting error costs where nobody is told of it."""
+    if document["mounting_sigma"] == 0:
         return ""
-    floor = sigma * np.sqrt(document["dimension"] / len(sensors))
     return (
-        f"Every trial puts each sensor a little elsewhere, and neither trackers nor bounds know of it: positions of "
-        f"single epochs stay about {reading(float(floor))} m off. Balls on the bench hold 95 % of its places."
+        "Every trial puts each sensor a little elsewhere, and neither trackers nor bounds know of it: positions of "
+        f"single epochs stay about {position_floor(document)} m off. Balls on the bench hold 95 % of its places."
     )
 
 

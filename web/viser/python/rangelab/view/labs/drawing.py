@@ -72,7 +72,7 @@ def draw_truth(canvas: Canvas, orientations: Floats, positions: Floats, sensors:
     canvas.lines("/truth/past", shapes.path(positions[: step + 1]), "truth", 4.0)
     canvas.lines("/truth/path", shapes.path(positions), "truth", 1.5)
     corners = shapes.body(orientations[step], positions[step], sensors)
-    canvas.lines("/truth/body", shapes.pairs(shapes.lifted(corners)), "truth", 3.0)
+    canvas.lines("/truth/body", shapes.frame(sensors, corners), "truth", 3.0)
 
 
 def draw_track(canvas: Canvas, name: str, look: Look, positions: Floats, step: int, rim: float) -> None:
@@ -104,7 +104,7 @@ def draw_estimate(canvas: Canvas, look: Look, estimate: PosePart[Any], step: int
     draw_track(canvas, name, look, positions, step, rim)
     if np.isfinite(positions[step]).all():
         corners = shapes.body(estimate.orientations[step], positions[step], manner.body)
-        canvas.lines(f"/estimators/{name}/body", shapes.pairs(shapes.lifted(corners)), look.token, 2.0)
+        canvas.lines(f"/estimators/{name}/body", shapes.frame(manner.body, corners), look.token, 2.0)
         covariance = estimate.position_covariances[step]
         canvas.ellipsoid(f"/estimators/{name}/ellipsoid", covariance, positions[step], magnify, look.token)
         if manner.fans:

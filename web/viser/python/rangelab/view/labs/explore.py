@@ -124,7 +124,7 @@ class ExplorePicture:
             rows.append(Row(PROBE, _bounds(self.reading)))
         for look, key in ((ANCHORS, "anchor_singular_values"), (SENSORS, "sensor_singular_values")):
             values = self.run[key]
-            rows.append(Row(look, (None, None, *(0.0 if each < ROUNDED * values[0] else each for each in values))))
+            rows.append(Row(look, tuple(0.0 if each < ROUNDED * values[0] else each for each in values), first=2))
         most = max(len(self.run["anchor_singular_values"]), len(self.run["sensor_singular_values"]))
         groups = (
             ("bound of one epoch", ("orient.\ndeg", "position\nm")),
@@ -138,7 +138,7 @@ class ExplorePicture:
         place, turned = (np.array(self.document["start"][key]) for key in ("position", "orientation"))
         sensors = self._scale * self.scenario.sensors
         corners = shapes.lifted(shapes.body(turned, place, sensors))
-        canvas.lines("/truth/body", shapes.pairs(corners), "truth", 3.0)
+        canvas.lines("/truth/body", shapes.frame(sensors, corners), "truth", 3.0)
         self._draw_ranges(canvas, corners)
         self._draw_bounds(canvas, place, turned, magnify)
         self._draw_hidden(canvas, place, turned, corners)
@@ -176,16 +176,17 @@ class ExplorePicture:
 
     def _draw_hidden(self, canvas: Canvas, place: Floats, turned: Floats, corners: Floats) -> None:
         """The body moved along the motion that is seen least, to both sides, and its twin with the same ranges."""
+        body = self.scenario.sensors
         if self.motion is not None:
             motion = Motion(self.motion.rotation, self._scale * self.motion.shift, self.motion.times)
-            sides = [motion.moved(turned, place, self._scale * self.scenario.sensors, sign) for sign in (1.0, -1.0)]
-            canvas.lines("/ghost/there", shapes.pairs(sides[0]), "accent", 2.0)
-            canvas.lines("/ghost/back", shapes.dashed(shapes.divided(shapes.pairs(sides[1]), 12)), "accent", 1.5)
+            sides = [motion.moved(turned, place, self._scale * body, sign) for sign in (1.0, -1.0)]
+            canvas.lines("/ghost/there", shapes.frame(body, sides[0]), "accent", 2.0)
+            canvas.lines("/ghost/back", shapes.dashed(shapes.divided(shapes.frame(body, sides[1]), 12)), "accent", 1.5)
             canvas.lines("/ghost/ways", np.stack([corners, sides[0]], axis=1), "accent", 1.0)
         if self.run["twin"] is not None:
             twin = shapes.lifted(np.array(self.run["twin"]["sensors"]))
             drawn = twin.mean(axis=0) + self._scale * (twin - twin.mean(axis=0))
-            canvas.lines("/twin/body", shapes.dashed(shapes.divided(shapes.pairs(drawn), 12)), "warning", 2.5)
+            canvas.lines("/twin/body", shapes.dashed(shapes.divided(shapes.frame(body, drawn), 12)), "warning", 2.5)
             canvas.marks("/twin/sensors", drawn, Look("twin", "warning", "ring"))
 
 

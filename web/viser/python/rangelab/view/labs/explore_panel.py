@@ -2,7 +2,7 @@
 
 from ..panel import Panel
 from .anchors import anchor_controls
-from .body_designer import body_controls, sensor_controls
+from .body_designer import body_controls, mounting_control, sensor_controls, unknown_to_all
 from .field_panel import field_controls
 from .noise import noise_controls
 from .obstacles import obstacle_controls
@@ -33,6 +33,7 @@ def bound_controls(panel: Panel) -> None:
     _room(panel)
     with panel.folder("Sensors on the body"):
         sensor_controls(panel)
+        mounting_control(panel, unknown_to_all)
 
 
 def _room(panel: Panel) -> None:
