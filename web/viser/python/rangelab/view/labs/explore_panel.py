@@ -1,4 +1,4 @@
-"""The controls of the lab Explore: the bound as a landscape, the body, where anchors should stand, what blocks ranges."""
+"""The controls of the lab Explore: the bound as a landscape, the body, where anchors should stand, walls and boxes."""
 
 from ..panel import Panel
 from .anchors import anchor_controls

@@ -9,7 +9,7 @@ from ...arrays import Floats
 from .. import shapes
 
 LEAST, UNSEEN = 0.25, 0.6
-"""Shares of the body's radius: sensors that move by less are not seen; in a motion that no range sees they move by it."""
+"""Shares of the body's radius: those that move by less are not seen, in one that no range sees they move by it."""
 FARTHEST_TURN = np.pi / 3
 """No ghost turns farther, rad."""
 
