@@ -153,8 +153,19 @@ def test_quaternions_are_rotations_and_back() -> None:
     assert np.allclose(turned, [[np.cos(0.6), -np.sin(0.6)], [np.sin(0.6), np.cos(0.6)]])
 
 
-def test_ellipsoids_reach_as_far_as_the_covariance_says() -> None:
+def test_ellipsoids_hold_95_percent() -> None:
+    # Quantiles of chi-square as tables print them.
+    for dimension, quantile in ((1, 3.841), (2, 5.991), (3, 7.815)):
+        assert shapes.radius_95(dimension) ** 2 == pytest.approx(quantile, abs=5e-4)
     covariance = np.array([[0.04, 0.01, 0.0], [0.01, 0.09, 0.0], [0.0, 0.0, 0.01]])
-    vertices, _ = shapes.ellipsoid(covariance, np.zeros(3), 1.0)
-    inverse = np.linalg.inv(covariance)
-    assert np.allclose(np.einsum("vi,ij,vj->v", vertices, inverse, vertices), 1.0)
+    for d, quantile in ((2, 5.991), (3, 7.815)):
+        vertices, _ = shapes.ellipsoid(covariance[:d, :d], np.zeros(d), 10.0)
+        outer = vertices[np.abs(vertices[:, 2]) < 1e-9, :2] if d == 2 else vertices
+        distances = np.einsum("vi,ij,vj->v", outer, np.linalg.inv(covariance[:d, :d]), outer)
+        assert distances.max() == pytest.approx(100 * quantile, rel=1e-4)
+        assert d == 2 or np.allclose(distances, 100 * quantile, rtol=1e-4)
+    with_ellipsoids = Viewer(ROOM, port=0)
+    try:
+        assert "Ellipsoids hold 95 %" in with_ellipsoids.said
+    finally:
+        with_ellipsoids.stop()

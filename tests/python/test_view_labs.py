@@ -205,7 +205,7 @@ def test_localizers_are_shown_trial_by_trial() -> None:
         assert viewer.shown.run[3] == source.localize(3) != ROOM.localize(3)
         client.set(client.control("LS"), False)
         until(lambda: "ls" not in document(viewer)["localize"]["enabled"])
-        client.set(client.control("shown as"), "Track and Explore")
+        client.set(client.control("shown as"), "Track")
         until(lambda: viewer.shown.wish.lab == "track")
         assert (
             viewer.shown.run.to_json()
@@ -233,7 +233,5 @@ def test_trackers_over_a_recording_are_chosen() -> None:
         until(lambda: "kf" not in viewer.shown.run.estimators)
         assert "uc-kf" in viewer.shown.run.estimators
     assert lab_of(recording) == "replay"
-    assert {name for name in LABS if lab_of(ROOM, name if name in ("track", "localize") else None) == name} == {
-        "track",
-        "localize",
-    }
+    own = ("track", "explore", "localize")
+    assert {name for name in LABS if lab_of(ROOM, name if name in own else None) == name} == {*own}

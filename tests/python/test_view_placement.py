@@ -1,5 +1,7 @@
 """Placement in the viewer: boxes, arrows by the crate's slopes, and how far the best found is."""
 
+import threading
+import time
 from typing import Any
 
 import numpy as np
@@ -84,3 +86,41 @@ def test_the_best_found_is_told_in_per_cent() -> None:
         client.drag("/anchors/0", (3.0, 2.0, 1.0))
         share = 100 * best.advise()["value"] / worse.advise()["value"]
         until(lambda: f"You are at {share:.0f} % of the best found." in told())
+
+
+SLOW = ROOM.replace({"field.headings": 72, "placement.region": {"low": [1, 1, 0.5], "high": [4, 4, 2]}})
+"""Each beginning of a search takes long."""
+
+
+def searches() -> list[str]:
+    return [thread.name for thread in threading.enumerate() if thread.name.startswith("rangelab-place")]
+
+
+def begun(client: ViewerClient) -> None:
+    client.set(client.control("searches"), 64)
+    client.press("Improve, or cancel")
+    until(searches)
+
+
+def test_a_search_ends_with_the_viewer() -> None:
+    with shown(SLOW) as (viewer, client):
+        begun(client)
+        began = time.monotonic()
+        viewer.stop()
+        assert not searches()
+        assert time.monotonic() - began < 20
+
+
+def test_a_search_ends_where_the_scene_or_the_lab_changes() -> None:
+    with shown(SLOW) as (viewer, client):
+        begun(client)
+        client.set(client.control("seed"), 5)
+        until(lambda: not searches(), seconds=20)
+        until(lambda: "The scene has changed: the search was stopped." in str(client.of_type("GuiUpdateMessage")))
+        changed = SLOW.replace(seed=5)
+        assert viewer.shown.wish.source == changed
+        begun(client)
+        client.set(client.control("shown as"), "Localize")
+        until(lambda: not searches(), seconds=20)
+        until(lambda: viewer.shown.wish.lab == "localize")
+        assert viewer.shown.wish.source == changed

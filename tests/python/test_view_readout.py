@@ -63,12 +63,12 @@ def test_indoor_tells_what_a_study_of_one_trial_tells() -> None:
 def test_localize_tells_a_trial_and_the_averages_of_the_crate() -> None:
     found = picture(ROOM, "localize")
     table, study = found.readout(7), ROOM.localization_study(trials=len(found.times))
-    angle, position, *overall = row(table, "SUC-LS")
-    (one,) = [each["errors"] for each in ROOM.localize(7)["estimators"] if each["name"] == "suc-ls"]
+    angle, position, *overall = row(table, "OUC-LS")
+    (one,) = [each["errors"] for each in ROOM.localize(7)["estimators"] if each["name"] == "ouc-ls"]
     assert (angle, position) == (one["angle"] * DEGREES, one["position"])
-    keys = ("rms_angle", "rmse_position", "rmse_sensors", "reflection_rate")
-    expected = [study.curve("suc-ls", key).values[0] for key in keys]
-    assert np.allclose(overall, np.array(expected) * [DEGREES, 1, 1, 100], rtol=1e-12)
+    keys = ("rms_angle", "rmse_position", "rmse_sensors", "reflection_rate", "iterations")
+    expected = [study.curve("ouc-ls", key).values[0] for key in keys]
+    assert np.allclose(overall, np.array(expected) * [DEGREES, 1, 1, 100, 1], rtol=1e-12)
     (bound,) = [each for each in ROOM.localize(0)["bounds"] if each["name"] == "uc_crb"]
     assert np.allclose(row(table, "UC-CRB")[:2], [bound["angle"] * DEGREES, bound["position"]])
     assert np.isnan(row(table, "classical LS")[:2]).all()

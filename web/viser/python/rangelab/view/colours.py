@@ -29,6 +29,8 @@ FIELD_STOPS = [
 
 FINE, PERIOD, LINE = 12, 16, 2
 """Pixels of a cell along either edge, between two lines of a hatching, and across one."""
+INK = 0.75
+"""How dark the lines of round values are."""
 
 
 def field_colours(values: Floats, theme: Theme) -> Floats:
@@ -46,19 +48,39 @@ def field_colours(values: Floats, theme: Theme) -> Floats:
     return colours
 
 
+def fine_logs(values: Floats) -> Floats:
+    """Logarithms of a finer field; NaN near where there is none."""
+    none = _fine(np.isnan(values).astype(np.float64)) > 0
+    logs = _fine(np.log(np.where(np.isnan(values), np.nanmin(values, initial=np.inf), values)))
+    return np.where(none, np.nan, logs)
+
+
+def lined(colours: Floats, lines: np.ndarray, theme: Theme) -> Floats:
+    """Finer, with lines (a fine grid of yes and no), two pixels wide."""
+    if not lines.any():
+        return colours
+    fine = colours if colours.shape[:2] == lines.shape else _fine_colours(colours)
+    wide = lines | np.roll(lines, 1, axis=0) | np.roll(lines, 1, axis=1)
+    fine[wide] = INK * np.array(theme.rgb("truth")) + (1 - INK) * fine[wide]
+    return fine
+
+
 def hatched(colours: Floats, values: Floats, limit: float | None, theme: Theme) -> Floats:
     """Finer, with lines where a value is above the limit, and crossed ones where there is none."""
     none = _fine(np.isnan(values).astype(np.float64)) > 0.5
     with np.errstate(invalid="ignore"):
-        logs = np.log(np.where(np.isnan(values), np.nanmin(values, initial=np.inf), values))
-    worse = np.zeros_like(none) if limit is None else (_fine(logs) > np.log(limit)) & ~none
+        worse = np.zeros_like(none) if limit is None else (fine_logs(values) > np.log(limit)) & ~none
     if not (worse.any() or none.any()):
         return colours
     rows, columns = np.indices(none.shape)
     rising, falling = (rows + columns) % PERIOD < LINE, (rows - columns) % PERIOD < LINE
-    fine = np.stack([_fine(colours[..., i]) for i in range(3)], axis=-1)
+    fine = _fine_colours(colours)
     fine[(rising & (worse | none)) | (falling & none)] = theme.rgb("hatch")
     return fine
+
+
+def _fine_colours(colours: Floats) -> Floats:
+    return np.stack([_fine(colours[..., i]) for i in range(3)], axis=-1)
 
 
 def _fine(values: Floats) -> Floats:

@@ -3,9 +3,8 @@
 import numpy as np
 
 from ..arrays import Floats
+from .shapes import radius_95
 
-CONE, SECTOR = 2.4477, 1.96
-"""Radii that hold 95 % of a normal distribution in two dimensions, and in one."""
 WIDEST = np.pi / 2
 """Beyond a right angle nothing is known of a direction."""
 CORNERS = 28
@@ -20,7 +19,7 @@ def fan_around(axis: Floats, covariance: Floats) -> Floats:
     if not np.isfinite(covariance).all():
         return np.zeros((0, 3))
     if len(covariance) == 1:
-        half = SECTOR * np.sqrt(covariance[0, 0])
+        half = radius_95(1) * np.sqrt(covariance[0, 0])
         tangents = np.linspace(-half, half, CORNERS // 2 + 1)[:, None] * np.cross([0.0, 0.0, 1.0], axis)
     else:
         other = [0.0, 0.0, 1.0] if abs(axis[2]) < 0.8 else [1.0, 0.0, 0.0]
@@ -32,7 +31,7 @@ def fan_around(axis: Floats, covariance: Floats) -> Floats:
         values, vectors = np.linalg.eigh(across @ covariance @ across.T)
         turns = np.linspace(0.0, 2 * np.pi, CORNERS + 1)
         circle = np.stack([np.cos(turns), np.sin(turns)], axis=1)
-        tangents = CONE * circle * np.sqrt(np.maximum(values, 0.0)) @ vectors.T @ basis
+        tangents = radius_95(2) * circle * np.sqrt(np.maximum(values, 0.0)) @ vectors.T @ basis
     lengths = np.linalg.norm(tangents, axis=1, keepdims=True)
     angles = np.minimum(WIDEST, lengths)
     sides = np.divide(tangents, lengths, out=np.zeros_like(tangents), where=lengths > 0)

@@ -8,7 +8,7 @@ from .._core import Error
 from ..families import preset_named, preset_names
 from ..link import from_link, to_link
 from ..recording import Recording
-from .labs import LABS
+from .labs import LABS, shows_field
 from .picture import Source, Wish
 from .state import Studio
 from .themes import THEMES
@@ -74,7 +74,7 @@ class FilePanel:
 
     def _shown_as(self, title: str) -> None:
         name = next(name for name, lab in LABS.items() if lab.title == title)
-        self._studio.ask(lab=name)
+        self._studio.ask(lab=name, field=shows_field(name), study=None)
 
     def _pasted(self, text: str) -> None:
         try:

@@ -15,6 +15,8 @@ Dragged = Callable[[Change, str], None]
 """Told the edit, and the gesture it belongs to."""
 ARROWS = 0.11
 """Length of the arrows of a handle beside the scene."""
+LINE = 2.0
+"""Of arrows, pixels."""
 ANYWHERE = (-1e9, 1e9)
 
 
@@ -47,10 +49,11 @@ class Gizmos:
                 known[1].remove()
                 known = None
             node = self._made(handle, extent) if known is None else known[1]
+            if known is not None and self._held == handle.name:
+                # What a place means stays as it was when the hand took hold.
+                continue
             self._known[handle.name] = (handle, node)
             place = shapes.lifted(handle.place)
-            if self._held == handle.name:
-                continue
             if not np.array_equal(node.position, place):
                 node.position = place
             if handle.orientation is not None:
@@ -64,7 +67,9 @@ class Gizmos:
             scale=ARROWS * handle.size * extent,
             disable_rotations=handle.orientation is None,
             disable_axes=not any(free),
-            disable_sliders=not any(free),
+            # Squares would hide the body that is turned.
+            disable_sliders=not any(free) or (handle.orientation is not None and d == 3),
+            line_width=LINE,
             active_axes=(free[0], free[1], free[2]),
             translation_limits=(ANYWHERE, ANYWHERE, ANYWHERE),
             depth_test=False,
@@ -74,7 +79,7 @@ class Gizmos:
             size = 0.018 * handle.size * extent
             scene.add_box(f"{handle.name}/mark", dimensions=(size, size, size), color=self._theme.rgb(handle.token))
         if handle.label:
-            scene.add_label(f"{handle.name}/label", handle.label)
+            scene.add_label(f"{handle.name}/label", handle.label, font_screen_scale=self._theme.letters)
 
         @node.on_update
         async def _(event: viser.TransformControlsEvent) -> None:

@@ -16,6 +16,11 @@ class History(Generic[State]):
         self._future: list[State] = []
         self._gesture = ""
 
+    @property
+    def before(self) -> State | None:
+        """The state that was before the last entry; None at the beginning."""
+        return self._past[-1] if self._past else None
+
     def edit(self, state: State, gesture: str = "") -> None:
         """Another state; states of the same gesture in a row are one entry, those without any are one each."""
         if not gesture or gesture != self._gesture:

@@ -36,6 +36,8 @@ class Wish:
     """Whether arrows to better places of the anchors are wished for."""
     fans: bool = False
     """Whether fans of the axes are wished for."""
+    probe: tuple[float, ...] | None = None
+    """Where the bound is read, m; None for where the body is."""
     study: Study | StudyPage | None = None
     """Averages over many trials of the document, in place of one run's errors, or another study of it."""
     estimators: tuple[str, ...] | None = None

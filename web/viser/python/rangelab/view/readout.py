@@ -13,6 +13,7 @@ from .themes import Theme
 
 MARKS = {"disc": "●", "ring": "○", "square": "■", "triangle": "▲", "diamond": "◆", "cross": "✕"}
 BOUND_MARK = "╌"
+EMPTY = "<td></td>"
 LARGE, SMALL = 1e6, 1e-4
 """Numbers beyond these are written with an exponent."""
 
@@ -23,8 +24,11 @@ class Row:
 
     look: Look
     numbers: tuple[float, ...]
+    """By column; nothing is written in columns beside them."""
     remark: str = ""
     """Why there are no numbers; told in their place."""
+    first: int = 0
+    """Which column the numbers begin in."""
 
 
 @dataclass(frozen=True)
@@ -96,7 +100,8 @@ def _row(row: Row, columns: int, theme: Theme) -> str:
     head = f"<th scope=row style='text-align:left;font-weight:500'>{name}</th>"
     if row.remark:
         return f"<tr>{head}<td colspan={columns} style='padding-left:0.4rem'>{escape(row.remark)}</td></tr>"
-    return f"<tr>{head}{_cells(row.numbers)}</tr>"
+    after = columns - row.first - len(row.numbers)
+    return f"<tr>{head}{EMPTY * row.first}{_cells(row.numbers)}{EMPTY * after}</tr>"
 
 
 def _cells(numbers: Sequence[float]) -> str:

@@ -1,12 +1,19 @@
 """Points, lines and meshes of what is shown: plain arrays, in space; scenes in the plane lie at height 0."""
 
+from functools import cache, lru_cache
+from itertools import combinations
+
 import numpy as np
 
 from ..arrays import Floats
+from ..consistency import chi_squared_interval
 from ..field import Field
 
 Mesh = tuple[Floats, np.ndarray]
 """Vertices (V x 3) and faces (F x 3, whole numbers)."""
+
+FLAT = 1e-6
+"""Points nearer to a line than this part of the body are on it."""
 
 
 def lifted(points: Floats) -> Floats:
@@ -39,6 +46,45 @@ def pairs(points: Floats) -> Floats:
     return np.stack([points[i], points[j]], axis=1)
 
 
+def frame(body: Floats, places: Floats) -> Floats:
+    """The edges of a body's hull (S x 2 x 3): its points in its own frame (N x D), and where they are (N x D)."""
+    edges = hull_edges(tuple(map(tuple, lifted(body).tolist())))
+    return lifted(places)[edges] if len(edges) else np.zeros((0, 2, 3))
+
+
+@lru_cache(64)
+def hull_edges(body: tuple[tuple[float, float, float], ...]) -> np.ndarray:
+    """Which points of a body are joined by an edge of its convex hull: E x 2; of a rod its ends.
+
+    Seen along an edge, both its ends are one corner of the shadow of the body.
+    """
+    points = np.array(body)
+    size = float(np.linalg.norm(points - points.mean(axis=0), axis=1).max())
+    found = [pair for pair in combinations(range(len(points)), 2) if _is_edge(points, *pair, size)]
+    return np.array(found, dtype=int).reshape(-1, 2)
+
+
+def _is_edge(points: Floats, i: int, j: int, size: float) -> bool:
+    along = points[j] - points[i]
+    length = float(np.linalg.norm(along))
+    if length < FLAT * size:
+        return False
+    ways = points - points[i]
+    shares = ways @ along / length**2
+    shadow = ways - shares[:, None] * along
+    aside = np.linalg.norm(shadow, axis=1) > FLAT * size
+    if (shares[~aside] < -FLAT).any() or (shares[~aside] > 1 + FLAT).any():
+        return False
+    if not aside.any():
+        return True
+    first = shadow[aside][0] / np.linalg.norm(shadow[aside][0])
+    second = np.cross(along / length, first)
+    angles = np.sort(np.arctan2(shadow[aside] @ second, shadow[aside] @ first))
+    # A corner: all others are within less than half a turn.
+    gaps = np.diff(np.append(angles, angles[0] + 2 * np.pi))
+    return bool(gaps.max() > np.pi + FLAT)
+
+
 def between(origins: Floats, ends: Floats, present: np.ndarray) -> Floats:
     """The segments from each of the first to each of the second points (M x N) that are present."""
     m, n = np.nonzero(present)
@@ -62,26 +108,48 @@ def sphere(rings: int = 10, sectors: int = 18) -> Mesh:
     return vertices, faces.reshape(-1, 3)
 
 
-def ellipsoid(covariance: Floats, centre: Floats, scale: float) -> Mesh:
-    """The surface at `scale` standard deviations about a centre; flat in the plane."""
+@cache
+def radius_95(dimension: int) -> float:
+    """How many standard deviations hold 95 % of a normal distribution: the root of the quantile of chi-square."""
+    # The interval leaves as much above as below it.
+    return float(np.sqrt(chi_squared_interval(dimension, 0.9)[1]))
+
+
+def ellipsoid(covariance: Floats, centre: Floats, magnify: float) -> Mesh:
+    """The surface about a centre that holds 95 % of the places, so many times as large; flat in the plane."""
     d = covariance.shape[0]
     values, vectors = np.linalg.eigh(covariance)
     root = np.zeros((3, 3))
     root[:d, :d] = vectors * np.sqrt(np.maximum(values, 0.0))
     vertices, faces = sphere()
-    return scale * vertices @ root.T + lifted(centre), faces
+    return magnify * radius_95(d) * vertices @ root.T + lifted(centre), faces
 
 
 def field_mesh(field: Field) -> tuple[Floats, np.ndarray, Floats]:
     """The rectangle of a field: vertices, faces, and for each vertex the place on the picture (0 to 1, from below).
 
-    The picture ends at the centres of the outer cells: beyond its edge it would begin anew.
+    It ends at the centres of the outer cells: beyond the picture's edge the picture would begin anew.
     """
-    corner, along, across = field.edges
-    places = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
-    vertices = corner + places[:, :1] * along + places[:, 1:] * across
     cells = np.array(field.values.shape[::-1], dtype=np.float64)
-    return vertices, np.array([[0, 1, 2], [0, 2, 3]]), (places * (cells - 1) + 0.5) / cells
+    corners = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
+    places = (corners * (cells - 1) + 0.5) / cells
+    return on_field(field, places), np.array([[0, 1, 2], [0, 2, 3]]), places
+
+
+def on_field(field: Field, places: Floats) -> Floats:
+    """Places on the picture of a field (P x 2, 0 to 1) in the world, m: P x 3."""
+    corner, along, across = field.edges
+    return np.asarray(corner + places[:, :1] * along + places[:, 1:] * across)
+
+
+def hit(field: Field, origin: Floats, direction: Floats) -> Floats | None:
+    """Where a ray meets the rectangle of a field, m: 3; None beside it and where it is seen edge-on."""
+    corner, along, across = field.edges
+    columns = np.stack([along, across, -direction], axis=1)
+    if abs(np.linalg.det(columns)) < 1e-12 * np.prod(np.linalg.norm(columns, axis=0)):
+        return None
+    u, v, way = np.linalg.solve(columns, origin - corner)
+    return np.asarray(origin + way * direction) if way > 0 and 0 <= u <= 1 and 0 <= v <= 1 else None
 
 
 def quaternion(rotation: Floats) -> Floats:

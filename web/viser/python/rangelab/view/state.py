@@ -27,6 +27,7 @@ class Studio:
         self._changed = threading.Condition()
         self._history, self._pending = History(wish), False
         self._stopped = False
+        self._background: list[threading.Thread] = []
         self.good = compute(wish)
         self._thread = threading.Thread(target=self._work, name="rangelab-view", daemon=True)
         self._thread.start()
@@ -44,9 +45,28 @@ class Studio:
         return None if isinstance(source, Recording) else source
 
     @property
+    def before(self) -> Wish | None:
+        """What was asked for before the last edit, of a drag before its beginning."""
+        with self._changed:
+            return self._history.before
+
+    @property
     def stopped(self) -> bool:
         """Whether the viewer has ended, and with it what goes on in the background."""
         return self._stopped
+
+    def still_asks(self, wish: Wish) -> bool:
+        """Whether the document and the lab are still those of a wish: what is found for others is of no use."""
+        with self._changed:
+            present = self._history.present
+            return not self._stopped and present.source is wish.source and present.lab == wish.lab
+
+    def in_background(self, name: str, do: Callable[[], None]) -> None:
+        """Does something long in a thread of its own, which asks `still_asks` often; `stop` waits for its end."""
+        thread = threading.Thread(target=do, name=name, daemon=True)
+        with self._changed:
+            self._background = [*filter(threading.Thread.is_alive, self._background), thread]
+            thread.start()
 
     def edit(self, change: Change, gesture: str = "") -> None:
         """Changes the document; a change that its rules forbid is refused and changes nothing."""
@@ -65,6 +85,13 @@ class Studio:
             self._history.edit(replace(self._history.present, **changes))  # type: ignore[arg-type]
             self._compute_soon()
 
+    def add(self, wish: Wish, **found: object) -> None:
+        """Adds what was found for a wish, which is no edit; nothing where another one is shown."""
+        with self._changed:
+            if self.still_asks(wish):
+                self._history.amend(replace(self._history.present, **found))  # type: ignore[arg-type]
+                self._compute_soon()
+
     def undo(self) -> bool:
         """Takes the last edit back; False where there is none."""
         return self._go(History.undo)
@@ -74,11 +101,13 @@ class Studio:
         return self._go(History.redo)
 
     def stop(self) -> None:
-        """Ends the thread."""
+        """Ends the threads."""
         with self._changed:
             self._stopped = True
             self._changed.notify()
-        self._thread.join()
+            threads = [self._thread, *self._background]
+        for thread in threads:
+            thread.join()
 
     def _go(self, way: Callable[[History[Wish]], bool]) -> bool:
         with self._changed:

@@ -17,6 +17,11 @@ class Theme:
     tokens: Mapping[str, str]
     """Colours by what they are for, as `#rrggbb`."""
 
+    @property
+    def letters(self) -> float:
+        """How many times as large words in the scene are: read from the last row where lines are wide."""
+        return 1.0 + 0.5 * (self.weight - 1.0)
+
     def css(self, token: str) -> str:
         """A colour as the page writes it."""
         return self.tokens[token]

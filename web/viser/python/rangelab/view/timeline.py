@@ -19,7 +19,8 @@ class Timeline:
             self._buttons = server.gui.add_button_group("move", ("◀", "▶", "play", "pause"))
             self._magnify = server.gui.add_number("errors drawn, ×", 10.0, min=0.1, step=1.0)
             self._magnify.precision = 2
-            with server.gui.add_folder("Playing", expand_by_default=False):
+            self._playing_folder = server.gui.add_folder("Playing", expand_by_default=False)
+            with self._playing_folder:
                 self._speed = server.gui.add_number("steps a second", 10.0, min=0.5, max=60.0, step=0.5)
         self._slider.on_update(lambda _: changed())
         self._magnify.on_update(lambda _: changed())
@@ -48,6 +49,8 @@ class Timeline:
     def resize(self, steps: int) -> None:
         """A run of another length."""
         last = max(steps - 1, 1)
+        for control in (self._slider, self._buttons, self._playing_folder):
+            control.visible = steps > 1
         if last != self._slider.max:
             put(self._slider, min(self.step, max(steps - 1, 0)))
             self._slider.max = last

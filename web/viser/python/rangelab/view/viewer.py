@@ -12,7 +12,8 @@ from . import shapes
 from .canvas import Canvas
 from .file_panel import FilePanel
 from .gizmos import Gizmos
-from .labs import LABS, computed, lab_of
+from .labs import LABS, computed, lab_of, shows_field
+from .labs.probe import read_at
 from .panel import Panel
 from .picture import Picture, Source, Wish
 from .plots import Plots
@@ -25,6 +26,7 @@ from .themes import THEMES
 from .timeline import Timeline
 
 PANEL_WIDTH = 400
+ELLIPSOIDS = "Ellipsoids hold 95 % and are drawn as many times as large as errors."
 
 
 class Viewer:
@@ -45,7 +47,8 @@ class Viewer:
         port: int = 8080,
         page: str = "",
     ) -> None:
-        wish = Wish(source, lab_of(source, lab))
+        lab = lab_of(source, lab)
+        wish = Wish(source, lab, field=shows_field(lab))
         asked = free_port(host, port)
         self._server = viser.ViserServer(host=host, port=asked, label="rangelab", verbose=False)
         if self._server.get_port() != asked:
@@ -54,7 +57,7 @@ class Viewer:
         self._host, self._drawing = host, threading.RLock()
         self._theme = THEMES[theme]
         self._studio = Studio(wish, computed, self._show, self._refuse)
-        self._canvas = Canvas(self._server, self._theme)
+        self._canvas = Canvas(self._server, self._theme, lambda place: read_at(self._studio, place))
         self._gizmos = Gizmos(self._server, self._theme, self._studio.edit)
         self._stage = Stage(self._server)
         self._lay_out(theme, page)
@@ -76,13 +79,19 @@ class Viewer:
         return self._studio.good
 
     @property
+    def said(self) -> str:
+        """What is told of it in words."""
+        return str(self._note.content)
+
+    @property
     def server(self) -> viser.ViserServer:
         """The server, to which programs may add what they like."""
         return self._server
 
     def open(self, source: Source, lab: str | None = None) -> None:
         """Shows another document."""
-        self._studio.ask(source=source, lab=lab_of(source, lab), trial=0, study=None)
+        lab = lab_of(source, lab)
+        self._studio.ask(source=source, lab=lab, field=shows_field(lab), trial=0, study=None, probe=None)
 
     def look(self, theme: str) -> None:
         """Shows it in another theme: light, dark or projector."""
@@ -201,6 +210,7 @@ class Viewer:
         source = picture.wish.source
         teaching = "" if isinstance(source, Recording) else preset_summary(source)
         told = [f"**{picture.name}** {teaching}".strip(), *picture.sentences()]
+        told += [ELLIPSOIDS] * self._canvas.ellipsoids
         self._note.content = "\n\n".join(told)
 
     def _refuse(self, sentence: str) -> None:

@@ -12,10 +12,12 @@ from ..panel import Panel
 from ..picture import Picture, Source, Wish
 from .anchorless import anchorless
 from .anchorless_panel import anchorless_controls
-from .explore_panel import explore_controls
+from .explore import explore
+from .explore_panel import bound_controls, explore_controls
 from .indoor import indoor
 from .indoor_panel import indoor_controls
-from .localize import localize, localize_controls
+from .localize import localize
+from .localize_panel import localize_controls
 from .replay import replay_controls
 from .track import track
 from .track_panel import track_controls
@@ -34,7 +36,8 @@ class Lab:
 
 
 LABS = {
-    "track": Lab("Track and Explore", Scenario, track, (("Track", track_controls), ("Explore", explore_controls))),
+    "track": Lab("Track", Scenario, track, (("Track", track_controls), ("Bound and room", bound_controls))),
+    "explore": Lab("Explore", Scenario, explore, (("Explore", explore_controls),)),
     "localize": Lab("Localize", Scenario, localize, (("Localize", localize_controls),)),
     "indoor": Lab("Indoor", IndoorScenario, indoor, (("Indoor", indoor_controls),)),
     "anchorless": Lab("Anchorless", KinematicsScenario, anchorless, (("Anchorless", anchorless_controls),)),
@@ -52,6 +55,11 @@ def lab_of(source: Source, wished: str | None = None) -> str:
     if wished is not None and wished not in names:
         raise UnknownName(f'"{wished}" shows no {type(source).__name__}; there is: {", ".join(names)}')
     return wished or names[0]
+
+
+def shows_field(lab: str) -> bool:
+    """Whether a lab begins with the bound over a plane."""
+    return lab == "explore"
 
 
 def computed(wish: Wish) -> Picture:

@@ -1,6 +1,6 @@
 """What the labs draw alike: the truth, the body, what estimators found of it."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
 import numpy as np
@@ -11,6 +11,7 @@ from .. import shapes
 from ..canvas import Canvas
 from ..fans import fan_around
 from ..looks import Look
+from ..picture import Handle
 from ..plots import Line
 from ..readout import root_mean_square
 
@@ -25,6 +26,8 @@ LARGEST_ERROR = 0.08
 """Share of the scene that the largest error is drawn as, at most."""
 VISIBLE_SHARE, DRAWN_SHARE = 0.08, 0.15
 """A body smaller than the first share of the scene is too small to see and is drawn as large as the second."""
+ALONE, AROUND = 0.3, 1.9
+"""As large as this share a body is drawn that is all there is to see, with handles so many times as large around it."""
 FAN = 0.08
 """How far the axes of fans reach beside the scene."""
 WIDEST_RIM = 3.0
@@ -42,11 +45,16 @@ def magnification(errors: list[Floats], extent: float, share: float = LARGEST_ER
     return max(1.0, float(max(n * decade for n in (1, 2, 5) if n * decade <= wanted)))
 
 
-def body_scale(sensors: Floats, extent: float) -> float:
+def body_scale(sensors: Floats, extent: float, drawn: float = DRAWN_SHARE) -> float:
     """How many times as large a body (N x D, m) is drawn, so that it is seen in a scene of this extent; at least 1."""
     radius = max(float(np.linalg.norm(sensors, axis=1).max()), 1e-9)
     share = radius / (extent / 2)
-    return 1.0 if share >= VISIBLE_SHARE else float(np.floor(DRAWN_SHARE / share))
+    return 1.0 if share >= VISIBLE_SHARE else float(np.floor(drawn / share))
+
+
+def around_the_body(handles: list[Handle]) -> list[Handle]:
+    """Handles, those of a body that is drawn large around it."""
+    return [replace(each, size=AROUND) if each.orientation is not None else each for each in handles]
 
 
 def scale_sentence(scale: float) -> list[str]:
@@ -64,7 +72,7 @@ def draw_truth(canvas: Canvas, orientations: Floats, positions: Floats, sensors:
     canvas.lines("/truth/past", shapes.path(positions[: step + 1]), "truth", 4.0)
     canvas.lines("/truth/path", shapes.path(positions), "truth", 1.5)
     corners = shapes.body(orientations[step], positions[step], sensors)
-    canvas.lines("/truth/body", shapes.pairs(shapes.lifted(corners)), "truth", 3.0)
+    canvas.lines("/truth/body", shapes.frame(sensors, corners), "truth", 3.0)
 
 
 def draw_track(canvas: Canvas, name: str, look: Look, positions: Floats, step: int, rim: float) -> None:
@@ -96,7 +104,7 @@ def draw_estimate(canvas: Canvas, look: Look, estimate: PosePart[Any], step: int
     draw_track(canvas, name, look, positions, step, rim)
     if np.isfinite(positions[step]).all():
         corners = shapes.body(estimate.orientations[step], positions[step], manner.body)
-        canvas.lines(f"/estimators/{name}/body", shapes.pairs(shapes.lifted(corners)), look.token, 2.0)
+        canvas.lines(f"/estimators/{name}/body", shapes.frame(manner.body, corners), look.token, 2.0)
         covariance = estimate.position_covariances[step]
         canvas.ellipsoid(f"/estimators/{name}/ellipsoid", covariance, positions[step], magnify, look.token)
         if manner.fans:

@@ -1,50 +1,45 @@
-"""The controls of the page's lab Explore: the bound as a landscape, where anchors should stand, what blocks ranges."""
-
-from typing import Any
-
-import numpy as np
+"""The controls of the lab Explore: the bound as a landscape, the body, where anchors should stand, walls and boxes."""
 
 from ..panel import Panel
-from ..picture import Change
 from .anchors import anchor_controls
-from .choices import Chosen
+from .body_designer import body_controls, mounting_control, sensor_controls, unknown_to_all
 from .field_panel import field_controls
+from .noise import noise_controls
 from .obstacles import obstacle_controls
+from .orientation import orientation_control
 from .placement import placement_controls
+from .track_panel import fan_control
 
 
 def explore_controls(panel: Panel) -> None:
-    """All that the bound depends on, besides the ranges' noise."""
+    """All that the bound of one epoch depends on."""
     with panel.folder("Bound over a plane", opened=True):
         field_controls(panel)
+        fan_control(panel)
+    with panel.folder("Body", opened=True):
+        body_controls(panel)
+    with panel.folder("Pose of the body"):
+        panel.vector("start.position", "position, m", step=0.1)
+        orientation_control(panel, "start.orientation", "orientation")
+    _room(panel)
+    with panel.folder("Ranges"):
+        noise_controls(panel)
+
+
+def bound_controls(panel: Panel) -> None:
+    """The bound beside other labs, and the room."""
+    with panel.folder("Bound over a plane", opened=True):
+        field_controls(panel)
+    _room(panel)
+    with panel.folder("Sensors on the body"):
+        sensor_controls(panel)
+        mounting_control(panel, unknown_to_all)
+
+
+def _room(panel: Panel) -> None:
     with panel.folder("Placement", opened=True):
         placement_controls(panel)
     with panel.folder("Walls and boxes", opened=True):
         obstacle_controls(panel)
     with panel.folder("Anchors"):
         anchor_controls(panel)
-    with panel.folder("Sensors on the body"):
-        _sensors(panel)
-
-
-def _sensors(panel: Panel) -> None:
-    """Where each sits, in the frame of the body."""
-    chosen = Chosen(panel, "sensor", lambda document: [f"S{n + 1}" for n in range(len(document["sensors"]))])
-    chosen.vector("sensors[#]", "position, m", step=0.05)
-    chosen.act("Remove the sensor", _without_sensor)
-    panel.button("Add a sensor", lambda: panel.edit("sensor", _with_sensor))
-    panel.number("mounting_sigma", "mounting error σ_e, m", step=0.01, least=0.0)
-
-
-def _with_sensor(scenario: Any) -> Any:
-    sensors = np.array(scenario.to_dict()["sensors"])
-    # Twice as far out as the first: never where another one sits.
-    return scenario.replace(sensors=[*sensors.tolist(), (2 * sensors[0] + 0.1).tolist()])
-
-
-def _without_sensor(index: int) -> Change:
-    def change(scenario: Any) -> Any:
-        sensors = scenario.to_dict()["sensors"]
-        return scenario.replace(sensors=[each for n, each in enumerate(sensors) if n != index])
-
-    return change

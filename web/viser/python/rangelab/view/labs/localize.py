@@ -1,6 +1,6 @@
 """One epoch localized in many trials: the timeline goes through the trials."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -11,21 +11,18 @@ from ...studies import Study
 from .. import shapes
 from ..canvas import Canvas
 from ..looks import LOCALIZER_BOUNDS, LOCALIZERS
-from ..panel import Panel
 from ..picture import Handle, Wish
 from ..plots import Line, Plot
 from ..readout import Row, Table, root_mean_square
 from . import drawing
-from .anchors import anchor_controls
-from .noise import noise_controls
+from . import localize_told as told_of
+from .localize_panel import cloud_of
+from .noise_sweep import LAST, coarse_sweep
+from .sweep_plots import sweep_plots
 from .track import anchor_handles
-from .track_panel import seed_controls
 
-TRIALS = 50
-ZETAS = np.arange(0.0, 101.0, 10.0)
-LOSS = "localize.loss"
-LOSSES: dict[str, dict[str, Any]] = {"squared": {"kind": "squared"}, "huber": {"kind": "huber", "scale": 1.345}}
-ON_RAW_RANGES = ("gauss-newton", "maximum-likelihood")
+TIP = 1.6
+"""How far the tips of the axes are from the body, beside its farthest sensor."""
 
 
 @dataclass
@@ -36,7 +33,7 @@ class LocalizePicture:
     run: list[dict[str, Any]]
     """The crate's `SnapshotRun` of each trial."""
     sweep: Study
-    """Averages over the trials at each of `ZETAS`."""
+    """Averages over many trials at even steps of the noise."""
 
     @property
     def name(self) -> str:
@@ -62,37 +59,38 @@ class LocalizePicture:
     @property
     def _scale(self) -> float:
         assert isinstance(self.wish.source, Scenario)
-        return drawing.body_scale(self.wish.source.sensors, drawing.extent_of(self.outline))
+        return drawing.body_scale(self.wish.source.sensors, drawing.extent_of(self.outline), drawing.ALONE)
 
     def sentences(self) -> list[str]:
-        """Who failed, and who mirrors the body in how many trials."""
-        told = [f"Each step is another trial, {len(self.run)} in all; dots are the other trials."]
-        for i, each in enumerate(self.run[0]["estimators"]):
-            parts = [run["estimators"][i] for run in self.run]
-            mirrored = sum(part["reflected"] for part in parts)
-            if mirrored:
-                told.append(f"{each['label']} mirrors the body in {mirrored} trials.")
-            failures = [part["failure"] for part in parts if part["failure"]]
-            if failures:
-                told.append(f"{each['label']} gave nothing in {len(failures)} trials: {failures[0]}")
-        return [*told, *drawing.scale_sentence(self._scale)]
+        """Who is nearest, who mirrors the body and who fails in how many trials, and what is drawn."""
+        count, names = len(self.run), self._names()
+        bounds = {each["name"]: (_number(each["angle"]), _number(each["position"])) for each in self.run[0]["bounds"]}
+        rates = {name: float(np.mean(self._column(i, "reflected") == 1)) for i, name in enumerate(names)}
+        failures = {name: list(filter(None, self._entries(i, "failure"))) for i, name in enumerate(names)}
+        told = [
+            told_of.nearest(self._errors("angle"), self._errors("position"), bounds, count),
+            told_of.mirroring(rates),
+            told_of.failing(failures, count),
+            f"Bodies: one trial of {count} a step, dashed where mirrored; dots: positions in all trials.",
+        ]
+        return [*filter(None, told), *drawing.scale_sentence(self._scale)]
 
     def handles(self) -> list[Handle]:
         """Anchors and the body."""
         assert isinstance(self.wish.source, Scenario)
-        return anchor_handles(self.wish.source.to_dict())
+        return drawing.around_the_body(anchor_handles(self.wish.source.to_dict()))
 
     def plots(self) -> list[Plot]:
-        """Errors trial by trial beside the bounds."""
+        """Averages noise by noise, and errors trial by trial beside the bounds."""
         degrees = float(np.degrees(1.0))
         angles, positions = self._errors("angle"), self._errors("position")
         sensors = {name: self._column(i, "sensors_error") for i, name in enumerate(self._names())}
+        points = len(self.sweep.to_dict()["points"])
         return [
-            self._plot("Orientation error, deg", "angle", angles, degrees),
-            self._plot("Position error, m", "position", positions, 1.0),
-            self._plot("Error of all sensors, m", "sensors", sensors, 1.0),
-            self._sweep("Orientation RMSE, deg", "rms_angle", "angle", degrees),
-            self._sweep("Position RMSE, m", "rmse_position", "position", 1.0),
+            *sweep_plots(self.sweep, np.linspace(0.0, LAST, points), self._shown_bounds()),
+            self._plot("Orientation error of each trial, deg", "angle", angles, degrees),
+            self._plot("Position error of each trial, m", "position", positions, 1.0),
+            self._plot("Error of all sensors in each trial, m", "sensors", sensors, 1.0),
         ]
 
     def readout(self, step: int) -> Table:
@@ -102,10 +100,10 @@ class LocalizePicture:
         for name in self._shown_bounds():
             angle, position, sensors = (_number(bounds[name][key]) for key in ("angle", "position", "sensors"))
             numbers = (np.degrees(angle), position, sensors)
-            rows.append(Row(LOCALIZER_BOUNDS[name], (*numbers[:2], *numbers, np.nan)))
+            rows.append(Row(LOCALIZER_BOUNDS[name], (*numbers[:2], *numbers)))
         heads = ("orient.\ndeg", "position\nm")
         averaged = f"RMSE of {len(self.run)} trials"
-        groups = (("this trial", heads), (averaged, (*heads, "sensors\nm", "mirrored\n%")))
+        groups = (("this trial", heads), (averaged, (*heads, "sensors\nm", "mirr.\n%", "itera-\ntions")))
         return Table(groups, tuple(rows))
 
     def draw(self, canvas: Canvas, step: int, magnify: float) -> None:
@@ -115,33 +113,67 @@ class LocalizePicture:
         truth, sensors = run["truth"], self._scale * self.wish.source.sensors
         place, turned = np.array(truth["position"]), np.array(truth["orientation"])
         corners = shapes.body(turned, place, sensors)
-        canvas.lines("/truth/body", shapes.pairs(shapes.lifted(corners)), "truth", 3.0)
+        canvas.lines("/truth/body", shapes.frame(sensors, corners), "truth", 3.0)
         present = np.ones((len(run["anchors"]), len(sensors)), dtype=bool)
         drawing.draw_ranges(canvas, np.array(run["anchors"]), corners, present)
         for i, each in enumerate(run["estimators"]):
             look = LOCALIZERS[each["name"]]
             cloud = shapes.magnified(self._positions(i), place, magnify)
             canvas.marks(f"/estimators/{each['name']}/cloud", shapes.lifted(cloud), look, 0.4)
-            if each["pose"] is None:
-                continue
-            position = shapes.magnified(np.array(each["pose"]["position"]), place, magnify)
-            corners = shapes.body(np.array(each["pose"]["orientation"]), position, sensors)
-            segments = shapes.pairs(shapes.lifted(corners))
-            if each["reflected"]:
-                segments = shapes.dashed(shapes.divided(segments, 12))
-            canvas.lines(f"/estimators/{each['name']}/body", segments, look.token, 2.0)
-            canvas.marks(f"/estimators/{each['name']}/mark", shapes.lifted(position[None]), look)
+            if self.wish.fans:
+                self._draw_tips(canvas, i, place, float(np.linalg.norm(sensors, axis=1).max()))
+            if each["pose"] is not None:
+                self._draw_body(canvas, "body", each, place, sensors, magnify)
+            mirrored = next((run["estimators"][i] for run in self.run if run["estimators"][i]["reflected"]), None)
+            if mirrored is not None and not each["reflected"]:
+                self._draw_body(canvas, "mirrored", mirrored, place, sensors, magnify)
+
+    def _draw_body(
+        self, canvas: Canvas, part: str, each: dict[str, Any], place: Floats, sensors: Floats, magnify: float
+    ) -> None:
+        """The estimate of a trial; dashed where it mirrors the body."""
+        look, name = LOCALIZERS[each["name"]], f"/estimators/{each['name']}/{part}"
+        position = shapes.magnified(np.array(each["pose"]["position"]), place, magnify)
+        corners = shapes.body(np.array(each["pose"]["orientation"]), position, sensors)
+        segments = shapes.frame(sensors, corners)
+        if each["reflected"]:
+            segments = shapes.dashed(shapes.divided(segments, 12))
+        canvas.lines(name, segments, look.token, 2.0)
+        canvas.marks(f"{name}-mark", shapes.lifted(position[None]), look)
+
+    def _draw_tips(self, canvas: Canvas, index: int, place: Floats, radius: float) -> None:
+        """A dot at the tip of each axis in each trial around the true position; a ring where the body is mirrored."""
+        name = self._names()[index]
+        for mirrored, mark, size in ((False, "disc", 0.4), (True, "ring", 0.8)):
+            found = [
+                np.array(each["pose"]["orientation"]).T
+                for each in (run["estimators"][index] for run in self.run)
+                if each["pose"] is not None and each["reflected"] == mirrored
+            ]
+            if found:
+                tips = shapes.lifted(place + TIP * radius * np.concatenate(found))
+                canvas.marks(f"/fans/{name}/{mark}", tips, replace(LOCALIZERS[name], mark=mark), size)
 
     def _row(self, index: int, name: str, step: int) -> Row:
         angles, positions = (self._errors(key)[name] for key in ("angle", "position"))
         failure = self.run[step]["estimators"][index]["failure"]
         mirrored = np.nanmean(self._column(index, "reflected")) if np.isfinite(angles).any() else np.nan
-        overall = (root_mean_square(self._column(index, "sensors_error")), 100 * float(mirrored))
+        iterations = self._column(index, "iterations")
+        known = iterations[np.isfinite(iterations)]
+        overall = (
+            root_mean_square(self._column(index, "sensors_error")),
+            100 * float(mirrored),
+            float(known.mean()) if len(known) else np.nan,
+        )
         found = (*drawing.readings(angles, positions, step), *overall)
         return Row(LOCALIZERS[name], found, "no estimate in this trial" if failure else "")
 
     def _names(self) -> list[str]:
         return [each["name"] for each in self.run[0]["estimators"]]
+
+    def _entries(self, index: int, key: str) -> list[Any]:
+        """What a localizer says in each trial."""
+        return [run["estimators"][index][key] for run in self.run]
 
     def _column(self, index: int, key: str) -> Floats:
         """A number of a localizer in each trial; NaN where it gave nothing."""
@@ -166,23 +198,13 @@ class LocalizePicture:
         lines = self._bounds(key, factor) + drawing.lines_of(LOCALIZERS, errors, factor)
         return Plot(title, self.times, lines, axis="trial")
 
-    def _sweep(self, title: str, figure: str, of_bound: str, factor: float) -> Plot:
-        """Averages over the trials, noise by noise."""
-        rows: dict[str, list[float]] = {}
-        for row in self.sweep.rows():
-            key = of_bound if row["name"] in LOCALIZER_BOUNDS else figure
-            value = row.get(key)
-            rows.setdefault(row["name"], []).append(np.nan if value is None else value)
-        values = {name: np.array(each) for name, each in rows.items() if len(each) == len(ZETAS)}
-        shown = self._shown_bounds()
-        bounds = [Line(LOCALIZER_BOUNDS[name], factor * values[name], 1.5) for name in shown if name in values]
-        localizers = {name: values[name] for name in self._names() if name in values}
-        return Plot(title, ZETAS, (*bounds, *drawing.lines_of(LOCALIZERS, localizers, factor)), axis="ζ, dB")
-
     def _shown_bounds(self) -> list[str]:
         """The bounds that say something about those that run."""
         names = self._names()
-        hidden = {"uc_crb_raw": not set(names) & set(ON_RAW_RANGES), "classical_crb": "classical-ls" not in names}
+        hidden = {
+            "uc_crb_raw": not set(names) & set(told_of.ON_RAW_RANGES),
+            "classical_crb": "classical-ls" not in names,
+        }
         return [name for name in LOCALIZER_BOUNDS if not hidden.get(name)]
 
     def _bounds(self, key: str, factor: float) -> tuple[Line, ...]:
@@ -203,32 +225,8 @@ def localize(wish: Wish) -> LocalizePicture:
     Raises:
         Error: in a sentence.
     """
-    assert isinstance(wish.source, Scenario)
     source = wish.source
-    noises = [{"kind": "toa", "zeta_db": float(zeta)} for zeta in ZETAS]
-    sweep = source.localization_study(noises, TRIALS)
-    return LocalizePicture(wish, [source.localize(wish.trial + trial) for trial in range(TRIALS)], sweep)
-
-
-def localize_controls(panel: Panel) -> None:
-    """The controls of the page's lab Localize."""
-    with panel.folder("Localizers", opened=True):
-        panel.several("localize.enabled", [(name, look.label) for name, look in LOCALIZERS.items()])
-    with panel.folder("Ranges", opened=True):
-        noise_controls(panel)
-        panel.choice("weights", "weights", (("measured", "measured"), ("true", "true")))
-        seed_controls(panel)
-    with panel.folder("Settings", opened=True):
-        panel.choice("localize.manifold", "manifold", (("so", "SO(D)"), ("o", "O(D), the papers'")))
-        losses = (("squared", "squared"), ("huber", "Huber"))
-        panel.chooser(
-            "loss of ML",
-            losses,
-            lambda found: found["localize"]["loss"]["kind"],
-            lambda kind: panel.put(LOSS, LOSSES[kind]),
-        )
-        panel.number("localize.loss.scale", "Huber scale, standard deviations", step=0.5, least=0.0)
-        panel.switch("localize.multi_start", "search again from more starts")
-        panel.number("mounting_sigma", "mounting error σ_e, m", step=0.01, least=0.0)
-    with panel.folder("Anchors"):
-        anchor_controls(panel)
+    assert isinstance(source, Scenario)
+    sweep = coarse_sweep(source) if wish.study is None else wish.study
+    trials = cloud_of(source.to_dict())
+    return LocalizePicture(wish, [source.localize(wish.trial + trial) for trial in range(trials)], sweep)

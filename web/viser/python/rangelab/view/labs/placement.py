@@ -5,6 +5,7 @@ import os
 import threading
 from collections.abc import Callable
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,8 @@ import numpy as np
 from ..._core import Error
 from ...scenario import Scenario
 from ..panel import Panel
+from ..picture import Wish
+from ..state import Studio
 from ..values import put
 from .anchors import with_anchor
 from .placement_boxes import box_controls
@@ -30,11 +33,16 @@ TARGETS = (("position", "position"), ("orientation", "orientation"), ("pose", "p
 PLACES = (("mean", "mean"), ("worst", "worst"))
 
 
-class Search:
-    """One search at a time; what it found is given on only where nobody called it off."""
+PATIENCE = 0.1
+"""How often a search looks whether it is still wanted, s."""
+SCENE_CHANGED = "The scene has changed: the search was stopped."
 
-    def __init__(self, told: Callable[[float, str], None]) -> None:
-        self._told = told
+
+class Search:
+    """One search at a time; it ends where it is called off, and with the scene, the lab and the viewer."""
+
+    def __init__(self, studio: Studio, told: Callable[[float, str], None]) -> None:
+        self._studio, self._told = studio, told
         self._running: threading.Event | None = None
         self._best: tuple[str, float] | None = None
 
@@ -55,9 +63,8 @@ class Search:
         """Improves from several beginnings in the background, all of them before any anchor moves."""
         called_off = threading.Event()
         self._running = called_off
-        threading.Thread(
-            target=self._search, args=(scenario, restarts, found, called_off), name="rangelab-place", daemon=True
-        ).start()
+        wish = replace(self._studio.wish, source=scenario)
+        self._studio.in_background("rangelab-place", lambda: self._search(wish, restarts, found, called_off))
 
     def cancel(self) -> None:
         """Ends the search; no anchor has moved."""
@@ -67,10 +74,12 @@ class Search:
             self._told(0.0, "Cancelled: no anchor has moved.")
 
     def _search(
-        self, scenario: Scenario, restarts: int, found: Callable[[Improved], bool], called_off: threading.Event
+        self, wish: Wish, restarts: int, found: Callable[[Improved], bool], called_off: threading.Event
     ) -> None:
+        scenario = wish.source
+        assert isinstance(scenario, Scenario)
         try:
-            best = self._best_of(scenario, restarts, called_off)
+            best = self._best_of(scenario, restarts, lambda: not called_off.is_set() and self._studio.still_asks(wish))
         except Error as error:
             best, sentence = None, str(error)
         else:
@@ -78,6 +87,9 @@ class Search:
         if called_off.is_set():
             return
         self._running = None
+        if not self._studio.still_asks(wish):
+            self._end_unfinished(wish)
+            return
         if best is None:
             self._told(0.0, sentence)
             return
@@ -85,26 +97,32 @@ class Search:
         known = [self._best[1]] if self._best is not None and self._best[0] == asked else []
         self._best = asked, min([best[1]["after"], *known])
         if not found(best):
-            self._told(0.0, "The scene has changed: the search was stopped.")
+            self._told(0.0, SCENE_CHANGED)
             return
         before, after, unit = (best[1][key] for key in ("before", "after", "unit"))
         self._told(1.0, f"Improved from {value_of(before, unit)} to {value_of(after, unit)}.")
 
-    def _best_of(self, scenario: Scenario, restarts: int, called_off: threading.Event) -> Improved | None:
+    def _end_unfinished(self, wish: Wish) -> None:
+        """Says so where there still is a panel to say it."""
+        if not self._studio.stopped and self._studio.wish.lab == wish.lab:
+            self._told(0.0, SCENE_CHANGED)
+
+    def _best_of(self, scenario: Scenario, restarts: int, wanted: Callable[[], bool]) -> Improved | None:
         best: tuple[float, int, Improved] | None = None
         with ThreadPoolExecutor(os.cpu_count() or 1, thread_name_prefix="rangelab") as pool:
             left: dict[Future[Improved], int] = {pool.submit(scenario.improve, n): n for n in range(restarts)}
-            while left and not called_off.is_set():
-                for done in wait(left, return_when=FIRST_COMPLETED).done:
-                    number = left.pop(done)
-                    improved = done.result()
+            while left and wanted():
+                done = wait(left, PATIENCE, return_when=FIRST_COMPLETED).done
+                for each in done:
+                    number = left.pop(each)
+                    improved = each.result()
                     value, before = improved[1]["after"], improved[1]["before"]
                     if value is not None and (before is None or value < before):
                         # A tie goes to the earlier beginning, whoever ends first.
                         best = min(best or (value, number, improved), (value, number, improved), key=lambda x: x[:2])
-                done_share = 1 - len(left) / restarts
                 said = "" if best is None else f", best {value_of(best[0], best[2][1]['unit'])}"
-                self._told(done_share, f"{restarts - len(left)} of {restarts}{said}")
+                if done and wanted():
+                    self._told(1 - len(left) / restarts, f"{restarts - len(left)} of {restarts}{said}")
             pool.shutdown(wait=False, cancel_futures=True)
         return None if best is None else best[2]
 
@@ -138,7 +156,7 @@ def placement_controls(panel: Panel) -> None:
         put(bar, 100 * share)
         said.content = sentence
 
-    search = Search(told)
+    search = Search(panel.studio, told)
     restarts = panel.gui.add_number("searches", RESTARTS, min=1, max=64, step=1)
 
     def improve() -> None:

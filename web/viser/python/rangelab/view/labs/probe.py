@@ -1,9 +1,12 @@
-"""The bound at a place that is typed."""
+"""The bound at a place that is typed, or pressed in the scene."""
 
+from collections.abc import Iterable
 from typing import Any
 
 from ...scenario import Scenario
 from ..panel import Document, Panel
+from ..picture import Wish
+from ..state import Studio
 from ..values import by_hand, put
 from .placement import value_of
 
@@ -13,30 +16,36 @@ class Probe:
 
     def __init__(self, panel: Panel) -> None:
         self._panel = panel
-        self._typed: list[float] | None = None
         self._boxes: dict[int, Any] = {
             2: panel.gui.add_vector2("read at, m", (0.0, 0.0), step=0.1, visible=False),
             3: panel.gui.add_vector3("read at, m", (0.0, 0.0, 0.0), step=0.1, visible=False),
         }
         self._told = panel.gui.add_markdown("")
         for box in self._boxes.values():
-            by_hand(box, self._type)
+            by_hand(box, lambda place: read_at(panel.studio, place))
         panel.on_follow(self._follow)
 
-    def _type(self, place: tuple[float, ...]) -> None:
-        self._typed = list(place)
-        document = self._panel.studio.document
-        if document is not None:
-            self._follow(document.to_dict())
-
     def _follow(self, document: Document) -> None:
-        scenario, dimension = self._panel.studio.document, document["dimension"]
-        place = self._typed if self._typed and len(self._typed) == dimension else document["start"]["position"]
+        wish, dimension = self._panel.studio.wish, document["dimension"]
+        place = probed(wish) or document["start"]["position"]
         for count, box in self._boxes.items():
             box.visible = count == dimension
         put(self._boxes[dimension], tuple(place))
-        if isinstance(scenario, Scenario):
-            self._told.content = told_at(scenario, place)
+        if isinstance(wish.source, Scenario):
+            self._told.content = told_at(wish.source, list(place))
+
+
+def read_at(studio: Studio, place: Iterable[float]) -> None:
+    """Reads the bound at a place (D, m, or 3 as it was pressed), which is no edit."""
+    wish = studio.wish
+    if isinstance(wish.source, Scenario):
+        studio.add(wish, probe=tuple(float(value) for value in place)[: wish.source.dimension])
+
+
+def probed(wish: Wish) -> tuple[float, ...] | None:
+    """The place that was typed or pressed, where it is one of this document."""
+    fits = wish.probe is not None and isinstance(wish.source, Scenario) and len(wish.probe) == wish.source.dimension
+    return wish.probe if fits else None
 
 
 def told_at(scenario: Scenario, place: list[float]) -> str:

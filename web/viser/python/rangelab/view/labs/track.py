@@ -210,5 +210,5 @@ def _start(start: dict[str, Any]) -> Handle:
         np.array(start["position"]),
         lambda to, turned: lambda scenario: scenario.replace({"start.orientation": turned, "start.position": to}),
         orientation=np.array(start["orientation"]),
-        size=0.7,
+        size=1.2,
     )
