@@ -1,5 +1,6 @@
 """Runs: what trackers and bounds made of a recording."""
 
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -166,6 +167,15 @@ class Run(RunReport[EstimatorRun]):
     def truth_positions(self) -> Floats:
         """True positions, m: K x D, NaN where not known."""
         return self._core.truth_positions()
+
+    @cached_property
+    def geometry(self) -> dict[str, Any]:
+        """How thin `anchors` and `sensors` lie across the `plane` and `line` that fit them best, and what is `unseen`.
+
+        Of each its `thickness` (m) and its `direction`: the plane's normal, along the line.
+        """
+        found: dict[str, Any] = self.to_dict()["geometry"]
+        return found
 
     @property
     def unseen(self) -> str | None:

@@ -14,6 +14,7 @@ from ..studies import Study
 from .canvas import Canvas
 from .plots import Plot
 from .readout import Table
+from .study_page import StudyPage
 
 Document = Scenario | IndoorScenario | KinematicsScenario
 Source = Document | Recording
@@ -35,16 +36,17 @@ class Wish:
     """Whether arrows to better places of the anchors are wished for."""
     fans: bool = False
     """Whether fans of the axes are wished for."""
-    study: Study | None = None
-    """Averages over many trials of the document, in place of one run's errors."""
+    study: Study | StudyPage | None = None
+    """Averages over many trials of the document, in place of one run's errors, or another study of it."""
     estimators: tuple[str, ...] | None = None
     """Those that run over a recording; None for all. A scenario says so itself."""
 
     def edited(self, change: Change) -> "Wish":
-        """With an edited document, of which there are no averages yet."""
+        """With an edited document, of which there is no study yet, unless it does not depend on what was edited."""
         source = change(self.source)
         assert isinstance(source, Scenario | IndoorScenario | KinematicsScenario)
-        return replace(self, source=source, study=None)
+        kept = self.study if isinstance(self.study, StudyPage) and self.study.holds_for(source) else None
+        return replace(self, source=source, study=kept)
 
 
 @dataclass(frozen=True)

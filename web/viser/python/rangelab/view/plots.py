@@ -10,12 +10,15 @@ from viser import uplot
 from ..arrays import Floats
 from .looks import Look
 from .themes import Theme
+from .uprights import Upright, with_uprights
 
 HEIGHT = 230
 SHADE = "26"
 """How much of its colour a band has, in hexadecimal."""
 BAND_DASH = (1, 3)
 """Of the edges of a band that lines should lie in."""
+HOLLOW = "rgba(0, 0, 0, 0)"
+"""Of dots whose mark is a ring."""
 EDGE: uplot.Series = {"label": "", "width": 0, "points": {"show": False}, "class": "mantine-hidden-from-xs"}
 """The edge of a band: not drawn, and by the class of viser's own style sheet not in the legend."""
 
@@ -60,6 +63,7 @@ class Plot:
     logarithmic: bool = True
     logarithmic_x: bool = False
     bands: tuple[Band, ...] = ()
+    uprights: tuple[Upright, ...] = ()
 
 
 def expected(times: Floats, value: float = 1.0) -> Line:
@@ -77,7 +81,7 @@ class Plots:
 
     def draw(self, plots: list[Plot], theme: Theme) -> None:
         """Draws those that have lines, in their order."""
-        plots = [plot for plot in plots if plot.lines]
+        plots = [with_uprights(plot) for plot in plots if plot.lines]
         kinds: list[object] = [
             (plot.title, plot.axis, plot.logarithmic, plot.logarithmic_x, _series(plot, theme)) for plot in plots
         ]
@@ -130,7 +134,8 @@ def _series(plot: Plot, theme: Theme) -> tuple[uplot.Series, ...]:
         if line.look.dash:
             series["dash"] = tuple(theme.weight * part for part in line.look.dash)
         if line.dots:
-            series |= {"width": 0, "points": {"show": True, "size": 7 * theme.weight, "fill": colour}}
+            fill = HOLLOW if line.look.mark == "ring" else colour
+            series |= {"width": 0, "points": {"show": True, "size": 7 * theme.weight, "fill": fill}}
         lines.append(series)
     edges = sum(len(line.edges) for line in plot.lines)
     rule: uplot.Series = {"stroke": theme.css("bound"), "width": theme.weight, "dash": BAND_DASH}

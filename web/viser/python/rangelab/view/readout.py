@@ -34,15 +34,18 @@ class Table:
     groups: tuple[tuple[str, tuple[str, ...]], ...]
     """What columns are of, and their heads with units."""
     rows: tuple[Row, ...]
+    told: str = ""
+    """What there is to be told of them, in sentences above them."""
 
     def html(self, theme: Theme) -> str:
         """As the browser shows it, marks in the colours of the theme."""
         over = "".join(_head(title, len(heads), 600) for title, heads in self.groups)
         below = "".join(_head(head) for _, heads in self.groups for head in heads)
         body = "".join(_row(row, sum(len(heads) for _, heads in self.groups), theme) for row in self.rows)
+        told = f"<p style='margin:0.3rem 0 0.5rem;font-size:0.85rem'>{escape(self.told)}</p>" if self.told else ""
         return (
             "<div style='padding:0 1rem 0.4rem 0.5rem;font-size:0.75rem;line-height:1.3;overflow-x:auto'>"
-            "<table style='width:100%;border-collapse:collapse;font-variant-numeric:tabular-nums'>"
+            f"{told}<table style='width:100%;border-collapse:collapse;font-variant-numeric:tabular-nums'>"
             f"<thead><tr><td></td>{over}</tr><tr><td></td>{below}</tr></thead><tbody>{body}</tbody></table></div>"
         )
 
@@ -54,8 +57,8 @@ class Readout:
         self._handle = server.gui.add_html("", visible=False)
 
     def show(self, table: Table, theme: Theme) -> None:
-        """Shows a table; none where it has no rows."""
-        self._handle.visible = bool(table.rows)
+        """Shows a table; none where it has nothing."""
+        self._handle.visible = bool(table.rows or table.told)
         text = table.html(theme)
         if self._handle.content != text:
             self._handle.content = text

@@ -31,6 +31,16 @@ class Averages:
 
         return Curve(column("value"), column("standard_error"))
 
+    def column(self, name: str, key: str) -> Floats:
+        """A plain number of an estimator at each step, such as how many trials failed."""
+        return np.array(
+            [np.nan if step.get(key) is None else step[key] for step in self._steps[name]], dtype=np.float64
+        )
+
+    def has(self, name: str) -> bool:
+        """Whether there are figures of an estimator."""
+        return name in self._steps
+
     def summary(self, name: str) -> dict[str, Any]:
         """The figures over all steps of a filter."""
         return next(part["summary"] for part in self._report["filters"] if part["name"] == name)
@@ -57,7 +67,7 @@ class Averaged:
     @cached_property
     def averages(self) -> Averages | None:
         """Over many trials, where they are wished for."""
-        return None if self.wish.study is None else Averages(self.wish.study)
+        return Averages(self.wish.study) if isinstance(self.wish.study, Study) else None
 
 
 def without(line: Line, steps: int) -> Line:

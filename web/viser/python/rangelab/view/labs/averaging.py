@@ -1,16 +1,41 @@
-"""Monte-Carlo in the background: progress, an end before its time, and its averages in the plots."""
+"""Studies of many trials in the background: progress, an end before its time, and what they gave in the plots."""
 
 import threading
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
 
 from ..._core import Cancelled, Error
 from ...indoor import IndoorScenario
+from ...jobs import Progress
 from ...scenario import Scenario
 from ...studies import Study
 from ..panel import Panel
+from ..study_page import StudyPage
 from ..values import in_order, put
 
 TRIALS = 1000
 Studied = Scenario | IndoorScenario
+
+
+@dataclass(frozen=True)
+class Kind:
+    """One kind of study."""
+
+    title: str
+    hint: str
+    run: Callable[[Any, int, Progress], Study | StudyPage]
+    """Raises Cancelled, or an Error in a sentence."""
+    subject: Callable[[Any], object] = lambda document: document
+    """What of the document it depends on: it ends where that changes."""
+
+
+AVERAGES = Kind(
+    "Average over trials",
+    "plots: RMSE over time, two standard errors around it",
+    lambda scenario, trials, progress: scenario.study(trials, progress=progress),
+)
 
 
 class Averaging:
@@ -27,44 +52,51 @@ class Averaging:
         """Whether a study goes on."""
         return self._running is not None
 
-    def start(self, scenario: Studied, trials: int) -> None:
+    def start(self, kind: Kind, scenario: Studied, trials: int) -> None:
         """Runs trials in the background."""
         called_off = self._running = threading.Event()
-        self._tell(0.0, f"0 of {trials} trials")
+        self._tell(0.0, f"{kind.title}: 0 of {trials} trials")
         threading.Thread(
-            target=self._study, args=(scenario, trials, called_off), name="rangelab-study", daemon=True
+            target=self._study, args=(kind, scenario, trials, called_off), name="rangelab-study", daemon=True
         ).start()
 
     def end(self) -> None:
-        """Ends the study; the averages of the trials that are done are shown."""
+        """Ends the study; what the trials that are done gave is shown."""
         if self._running is not None:
             self._running.set()
 
-    def _study(self, scenario: Studied, trials: int, called_off: threading.Event) -> None:
+    def _study(self, kind: Kind, scenario: Studied, trials: int, called_off: threading.Event) -> None:
         def told(done: int, of: int) -> bool:
             if self._studio.stopped:
                 return False
-            self._tell(done / of, f"{done} of {of} trials")
-            return not called_off.is_set() and self._studio.document is scenario
+            self._tell(done / of, f"{kind.title}: {done} of {of} trials")
+            return not called_off.is_set() and self._shows(kind, scenario)
 
         try:
-            study = scenario.study(trials, progress=told)
+            study = kind.run(scenario, trials, told)
         except (Cancelled, Error) as error:
             self._running = None
             self._tell(None, f"{error}".capitalize() + ".")
         else:
-            in_order(self._show, scenario, study)
+            in_order(self._show, kind, scenario, study)
 
-    def _show(self, scenario: Studied, study: Study) -> None:
-        """After all edits that came before, so that averages of another scene are never shown."""
+    def _show(self, kind: Kind, scenario: Studied, study: Study | StudyPage) -> None:
+        """After all edits that came before, so that a study of another scene is never shown."""
         self._running = None
         if self._studio.stopped:
             return
-        if self._studio.document is not scenario:
+        if not self._shows(kind, scenario):
             self._tell(None, "The scene has changed: the study was stopped.")
             return
         self._tell(None, "" if study.trials == study.asked else f"Stopped after {study.trials} trials.")
         self._studio.ask(study=study)
+
+    def _shows(self, kind: Kind, scenario: Studied) -> bool:
+        """Whether the document is still the one that is studied, in all that the study depends on."""
+        now = self._studio.document
+        if now is scenario or not isinstance(now, type(scenario)):
+            return now is scenario
+        return kind.subject(now) == kind.subject(scenario)
 
     def _tell(self, share: float | None, sentence: str) -> None:
         self._bar.visible = share is not None
@@ -74,19 +106,20 @@ class Averaging:
         self._said.content = sentence
 
 
-def averaging_controls(panel: Panel) -> None:
-    """How many trials, start and end, and the single run again."""
+def averaging_controls(panel: Panel, kinds: Sequence[Kind] = (AVERAGES,)) -> None:
+    """How many trials, start and end of each kind of study, and the single run again."""
     trials = panel.gui.add_number("trials", TRIALS, min=1, max=100_000, step=100)
     averaging = Averaging(panel)
 
-    def toggle() -> None:
+    def toggle(kind: Kind) -> None:
         document = panel.studio.document
         if averaging.running:
             averaging.end()
         elif isinstance(document, Studied):
-            averaging.start(document, int(trials.value))
+            averaging.start(kind, document, int(trials.value))
 
-    panel.button("Average over trials, or stop", toggle, hint="plots: RMSE over time, two standard errors around it")
+    for kind in kinds:
+        panel.button(f"{kind.title}, or stop", partial(toggle, kind), hint=kind.hint)
     single = panel.button("Show the single run", lambda: panel.studio.ask(study=None))
 
     def follow(_: object) -> None:

@@ -13,8 +13,12 @@ def consistency_bands(degrees: Iterable[float], trials: int = 1) -> tuple[Band, 
     return tuple(_band(each, trials) for each in sorted(set(degrees)) if each > 0)
 
 
-def _band(degrees: float, trials: int) -> Band:
-    """Trials add up their degrees of freedom."""
+def mean_band(degrees: float, trials: int, probability: float) -> tuple[float, float]:
+    """Where the mean of χ² over its degrees of freedom lies with a probability: trials add up their degrees."""
     freedom = degrees * trials
-    low, high = chi_squared_interval(freedom, PROBABILITY)
-    return Band(low / freedom, high / freedom, f"95 % of χ² with {round(degrees, 1):g} degrees of freedom")
+    low, high = chi_squared_interval(freedom, probability)
+    return low / freedom, high / freedom
+
+
+def _band(degrees: float, trials: int) -> Band:
+    return Band(*mean_band(degrees, trials, PROBABILITY), f"95 % of χ² with {round(degrees, 1):g} degrees of freedom")

@@ -15,14 +15,17 @@ from .. import shapes
 from ..canvas import Canvas
 from ..looks import TRACK_BOUNDS, TRACKERS, Look
 from ..picture import Handle, Wish
-from ..plots import Line, Plot, expected
+from ..plots import Plot
 from ..readout import Row, Table
+from ..study_page import StudyPage
 from . import drawing
 from .averages import Averaged
 from .field_panel import in_angles
 from .obstacles import draw_obstacles, obstacle_handles
 from .placement_boxes import downhill, draw_arrows, draw_boxes
 from .track_averages import averaged_plots, averaged_readout
+from .track_findings import told_at
+from .track_plots import plots_of, shown_bounds
 from .way_points import points_of
 
 FIELD_CELLS = 48
@@ -83,35 +86,26 @@ class TrackPicture(Averaged):
         return [*anchor_handles(document), *_way_points(document), *obstacle_handles(document)]
 
     def plots(self) -> list[Plot]:
-        """The page's plots of one run, or of the averages that there are."""
+        """The page's plots of one run, or of the study that there is."""
+        study = self.wish.study
+        if isinstance(study, StudyPage):
+            return study.plots(self.document)
         if self.averages is not None:
-            return averaged_plots(self.averages, self.times, self._shown_bounds())
-        trackers = self.run.estimators
-        degrees = float(np.degrees(1.0))
-        angles = {name: each.orientation_errors for name, each in trackers.items()}
-        positions = {name: each.position_errors for name, each in trackers.items()}
-        defects = {name: each.defects for name, each in trackers.items() if (each.defects > 1e-9).any()}
-        nees = {name: _share(each, "nees") for name, each in trackers.items()}
-        nis = {name: np.append(np.nan, _share(each, "nis")[1:]) for name, each in trackers.items()}
-        lines, bounds = drawing.lines_of, self._bounds
-        return [
-            self._plot("Orientation error, deg", bounds("orientation", degrees) + lines(TRACKERS, angles, degrees)),
-            self._plot("Position error, m", bounds("position", 1.0) + lines(TRACKERS, positions)),
-            self._plot("Defect ‖QᵀQ − I‖", lines(TRACKERS, defects) + self._events(defects)),
-            self._plot("NEES / dof", (*lines(TRACKERS, nees), expected(self.times))),
-            self._plot("NIS / dof, from step 2 on", (*lines(TRACKERS, nis), expected(self.times))),
-        ]
+            return averaged_plots(self.averages, self.times, shown_bounds(self.run))
+        return plots_of(self.run, self.document)
 
     def readout(self, step: int) -> Table:
-        """Errors and bounds at a step, and root mean squares over the run."""
+        """Errors and bounds at a step, and root mean squares over the run, with what there is to be told of them."""
+        run, study = self.run, self.wish.study
         if self.averages is not None:
-            return averaged_readout(self.averages, step, list(self.run.estimators), self._shown_bounds())
-        rows = [self._row(TRACKERS[name], each, step) for name, each in self.run.estimators.items()]
-        for name in self._shown_bounds():
-            bound = self.run.bounds[name]
+            return averaged_readout(self.averages, step, list(run.estimators), shown_bounds(run))
+        rows = [self._row(TRACKERS[name], each, step) for name, each in run.estimators.items()]
+        for name in shown_bounds(run):
+            bound = run.bounds[name]
             rows.append(Row(TRACK_BOUNDS[name], drawing.readings(bound.orientation, bound.position, step)))
         heads = ("orient.\ndeg", "position\nm")
-        return Table((("at this step", heads), ("RMSE of the run", heads)), tuple(rows))
+        told = study.sentence(self.document) if isinstance(study, StudyPage) else told_at(run, step)
+        return Table((("at this step", heads), ("RMSE of the run", heads)), tuple(rows), told)
 
     def draw(self, canvas: Canvas, step: int, magnify: float) -> None:
         """Track, body, ranges, estimates with their ellipsoids, obstacles, the field."""
@@ -120,8 +114,8 @@ class TrackPicture(Averaged):
             drawing.draw_truth(canvas, run.truth_orientations, truth, self.body, step)
             sensors = shapes.body(run.truth_orientations[step], truth[step], self.body)
             drawing.draw_ranges(canvas, run.anchors, sensors, run.present[step])
-            if self.wish.fans and self._shown_bounds():
-                turns = run.bounds[self._shown_bounds()[0]].rotation_covariances[step]
+            if self.wish.fans and shown_bounds(run):
+                turns = run.bounds[shown_bounds(run)[0]].rotation_covariances[step]
                 drawing.draw_fans(canvas, "bound", "bound", run.truth_orientations[step], turns, truth[step])
         manner = drawing.Manner(truth, self.body, magnify, self.wish.fans)
         for (name, each), rim in zip(run.estimators.items(), drawing.rims(len(run.estimators)), strict=True):
@@ -140,28 +134,6 @@ class TrackPicture(Averaged):
         return Row(
             look, drawing.readings(each.orientation_errors, each.position_errors, step), drawing.ended(each, step)
         )
-
-    def _plot(self, title: str, lines: tuple[Line, ...]) -> Plot:
-        return Plot(title, self.times, lines)
-
-    def _bounds(self, of: str, factor: float) -> tuple[Line, ...]:
-        """The bounds that say something about those that run."""
-        values = {name: factor * getattr(self.run.bounds[name], of) for name in self._shown_bounds()}
-        return tuple(Line(TRACK_BOUNDS[name], each, 1.5) for name, each in values.items())
-
-    def _shown_bounds(self) -> list[str]:
-        run = self.run
-        names = [name for name in TRACK_BOUNDS if name in run.bounds]
-        return [name for name in names if name != "posterior_crb_raw" or "eskf-raw" in run.estimators]
-
-    def _events(self, defects: dict[str, Floats]) -> tuple[Line, ...]:
-        """Where the ET-KF projected."""
-        if "et-kf" not in defects:
-            return ()
-        look = TRACKERS["et-kf"]
-        values = np.where(self.run["et-kf"].events, defects["et-kf"], np.nan)
-        named = type(look)("ET-KF projected", look.token, look.mark)
-        return (Line(named, values, dots=True),)
 
     def _field_sentence(self) -> str:
         if self.field is None or not np.isfinite(self.field.values).any():
@@ -196,13 +168,6 @@ def track(wish: Wish) -> TrackPicture:
     document = source.to_dict()
     advice = source.advise() if wish.advice and document["redraw_anchors"] is None else None
     return TrackPicture(wish, source.run(wish.trial), found, document, advice)
-
-
-def _share(each: EstimatorRun, of: str) -> Floats:
-    """Over its degrees of freedom, so that estimators with different ones can be compared."""
-    freedom = each.numbers(f"{of}_degrees_of_freedom")
-    numbers = each.numbers(of)
-    return np.divide(numbers, freedom, out=np.full_like(numbers, np.nan), where=freedom > 0)
 
 
 def _anchor(m: int, place: Floats, *, fixed: bool = False) -> Handle:

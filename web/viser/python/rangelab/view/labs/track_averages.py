@@ -1,13 +1,16 @@
-"""The plots and the read-out of trackers on the average over many trials."""
+"""The plots, the read-out and the verdict of trackers on the average over many trials."""
 
 import numpy as np
 
 from ...arrays import Floats
 from ..looks import TRACK_BOUNDS, TRACKERS, Look
 from ..panel import DEGREES
-from ..plots import Plot, expected
+from ..plots import Band, Plot, expected
 from ..readout import Row, Table
 from .averages import Averages, without
+from .consistency import consistency_bands
+from .track_plots import most_degrees
+from .track_verdicts import Means, verdict
 
 FIGURES = ("rms_angle", "rmse_position")
 BOUND_FIGURES = ("angle", "position")
@@ -22,13 +25,20 @@ def averaged_plots(averages: Averages, times: Floats, bounds: list[str]) -> list
     projections = lines({"et-kf": TRACKERS["et-kf"]}, "event_rate", 100.0)
     # The first ranges only test the guess that one starts from.
     nis = tuple(without(line, 1) for line in lines(TRACKERS, "nis"))
+    rule = (expected(times),)
     return [
         Plot("Orientation RMSE, deg", times, angles),
         Plot("Position RMSE, m", times, positions),
         Plot("Projected trials, %", times, projections, logarithmic=False),
-        Plot("Mean NEES / dof", times, (*lines(TRACKERS, "nees"), expected(times))),
-        Plot("Mean NIS / dof, from step 2 on", times, (*nis, expected(times))),
+        Plot("Mean NEES / dof", times, lines(TRACKERS, "nees") + rule, bands=_bands(averages, "nees")),
+        Plot("Mean NIS / dof, from step 2 on", times, nis + rule, bands=_bands(averages, "nis")),
     ]
+
+
+def _bands(averages: Averages, of: str) -> tuple[Band, ...]:
+    """Where the means over so many trials lie if covariances are right."""
+    degrees = [averages.column(name, f"{of}_degrees_of_freedom") for name in _studied(averages)]
+    return consistency_bands(map(most_degrees, degrees), averages.trials)
 
 
 def averaged_readout(averages: Averages, step: int, trackers: list[str], bounds: list[str]) -> Table:
@@ -37,7 +47,32 @@ def averaged_readout(averages: Averages, step: int, trackers: list[str], bounds:
     rows += [_row(averages, name, TRACK_BOUNDS[name], BOUND_FIGURES, step) for name in bounds]
     heads = ("orient.\ndeg", "position\nm")
     groups = ((f"RMSE of {averages.trials} trials", heads), ("standard error", heads), ("mean", ("NEES\n÷ dof",)))
-    return Table(groups, tuple(rows))
+    return Table(groups, tuple(rows), _sentence(averages))
+
+
+def _sentence(averages: Averages) -> str:
+    """Who stopped in how many trials, and whether filters keep what they claim."""
+    names = _studied(averages)
+    failures = {name: int(averages.column(name, "failures").max(initial=0)) for name in names}
+    stopped = [
+        f"{TRACKERS[name].label} stopped in {count} of {averages.trials} trials."
+        for name, count in failures.items()
+        if count
+    ]
+    nees = [_means(averages, name, "nees") for name in names]
+    nis = [_means(averages, name, "nis", since=1) for name in names]
+    return " ".join([*stopped, verdict(nees, nis)])
+
+
+def _studied(averages: Averages) -> list[str]:
+    return [name for name in TRACKERS if averages.has(name)]
+
+
+def _means(averages: Averages, name: str, of: str, since: int = 0) -> Means:
+    values = averages.curve(name, of).values
+    values[:since] = np.nan
+    trials = averages.trials - averages.column(name, "failures")
+    return Means(TRACKERS[name].label, values, averages.column(name, f"{of}_degrees_of_freedom"), trials)
 
 
 def _row(averages: Averages, name: str, look: Look, figures: tuple[str, str], step: int) -> Row:

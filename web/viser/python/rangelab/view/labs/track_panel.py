@@ -7,12 +7,26 @@ import numpy as np
 
 from ..looks import TRACKERS
 from ..panel import DEGREES, Document, Panel
-from .averaging import averaging_controls
+from .averaging import AVERAGES, Kind, averaging_controls
 from .noise import noise_controls
 from .orientation import orientation_control
 from .paths import PATHS, with_path
+from .track_budget import budget
+from .track_budget import subject as budget_subject
+from .track_draws import MOST, anchor_draws
+from .track_draws import subject as draws_subject
 from .way_points import way_point_controls
 
+STUDIES = (
+    AVERAGES,
+    Kind("ET budget", "plots: what projections of the ET-KF cost and buy, at 21 thresholds", budget, budget_subject),
+    Kind(
+        "Anchor draws",
+        f"plots: anchors drawn anew against fixed ones; {MOST} draws at most",
+        anchor_draws,
+        draws_subject,
+    ),
+)
 Options = Sequence[tuple[str, str]]
 
 
@@ -28,8 +42,8 @@ def track_controls(panel: Panel) -> None:
         panel.several("estimators.enabled", [(name, look.label) for name, look in TRACKERS.items()])
         fan_control(panel)
         panel.number("estimators.threshold.epsilon", "ET threshold ε", step=0.01, least=0.0)
-    with panel.folder("Averages over trials", opened=True):
-        averaging_controls(panel)
+    with panel.folder("Studies of many trials", opened=True):
+        averaging_controls(panel, STUDIES)
     with panel.folder("Estimator settings"):
         _estimator_settings(panel)
     with panel.folder("Time and seed", opened=True):
