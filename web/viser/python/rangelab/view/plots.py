@@ -1,7 +1,6 @@
 """Plots in the panel by uPlot: lines in the estimators' colours, bounds dashed, a legend that switches lines."""
 
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 import viser
@@ -31,7 +30,9 @@ class Line:
     values: Floats
     width: float = 2.0
     dots: bool = False
-    """Whether it is dots where there are numbers, and no line."""
+    """Whether it is dots where there are numbers, as large as it is wide, and no line."""
+    upright: bool = False
+    """Whether it has no more than two ends, which are not marked."""
     spread: Floats | None = None
     """Half the width of a band around it."""
 
@@ -62,6 +63,8 @@ class Plot:
     axis: str = "time, s"
     logarithmic: bool = True
     logarithmic_x: bool = False
+    limits: tuple[float, float] | None = None
+    """Of what is shown upright; None where the lines say so."""
     bands: tuple[Band, ...] = ()
     uprights: tuple[Upright, ...] = ()
 
@@ -82,9 +85,7 @@ class Plots:
     def draw(self, plots: list[Plot], theme: Theme) -> None:
         """Draws those that have lines, in their order."""
         plots = [with_uprights(plot) for plot in plots if plot.lines]
-        kinds: list[object] = [
-            (plot.title, plot.axis, plot.logarithmic, plot.logarithmic_x, _series(plot, theme)) for plot in plots
-        ]
+        kinds: list[object] = [(plot.title, plot.axis, _scales(plot), _series(plot, theme)) for plot in plots]
         if kinds != self._kinds:
             for handle in self._handles:
                 handle.remove()
@@ -101,11 +102,7 @@ class Plots:
             _series(plot, theme),
             title=plot.title,
             bands=_bands(plot, theme),
-            scales={
-                "x": {"time": False, "distr": _scale(plot.logarithmic_x)},
-                # uPlot draws what a logarithmic scale cannot show at its end, NaN too; at infinity it draws nothing.
-                "y": {"distr": _scale(plot.logarithmic), "clamp": float("inf")},
-            },
+            scales=_scales(plot),
             axes=({"label": plot.axis, "size": 28, "labelSize": 20}, {"size": 62}),
             padding=(12, 24, 0, 0),
             legend={"show": True, "live": False},
@@ -113,9 +110,15 @@ class Plots:
         )
 
 
-def _scale(logarithmic: bool) -> Literal[1, 3]:
-    """As uPlot numbers scales."""
-    return 3 if logarithmic else 1
+def _scales(plot: Plot) -> dict[str, uplot.Scale]:
+    """Linear ones have number 1 with uPlot, logarithmic ones 3."""
+    upright: uplot.Scale = {"distr": 3 if plot.logarithmic else 1}
+    if plot.logarithmic:
+        # What has no logarithm would be drawn at the bottom; at infinity it is not drawn.
+        upright["clamp"] = np.inf
+    if plot.limits is not None:
+        upright["range"] = plot.limits
+    return {"x": {"time": False, "distr": 3 if plot.logarithmic_x else 1}, "y": upright}
 
 
 def _data(plot: Plot) -> tuple[Floats, ...]:
@@ -136,7 +139,9 @@ def _series(plot: Plot, theme: Theme) -> tuple[uplot.Series, ...]:
             series["dash"] = tuple(theme.weight * part for part in line.look.dash)
         if line.dots:
             fill = HOLLOW if line.look.mark == "ring" else colour
-            series |= {"width": 0, "points": {"show": True, "size": 7 * theme.weight, "fill": fill}}
+            series |= {"width": 0, "points": {"show": True, "size": 3.5 * line.width * theme.weight, "fill": fill}}
+        if line.upright:
+            series["points"] = {"show": False}
         lines.append(series)
     edges = sum(len(line.edges) for line in plot.lines)
     rule: uplot.Series = {"stroke": theme.css("bound"), "width": theme.weight, "dash": BAND_DASH}

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arrays import Floats
+from .limits import heights, with_room
 from .looks import Look
 
 if TYPE_CHECKING:
@@ -28,17 +29,21 @@ def with_uprights(plot: "Plot") -> "Plot":
     x = np.concatenate([plot.x, places])
     order = np.argsort(x, kind="stable")
     lines = tuple(_crossing(line, plot, places, order) for line in plot.lines)
-    heights = _heights(plot)
-    return replace(plot, x=x[order], lines=(*lines, *_lines(plot, heights, order)), uprights=())
+    lowest_and_highest = heights(plot)
+    limits = plot.limits if plot.logarithmic else with_room(*lowest_and_highest)
+    return replace(
+        plot, x=x[order], lines=(*lines, *_lines(plot, lowest_and_highest, order)), uprights=(), limits=limits
+    )
 
 
-def _lines(plot: "Plot", heights: tuple[float, float], order: Any) -> "list[Line]":
+def _lines(plot: "Plot", ends: tuple[float, float], order: Any) -> "list[Line]":
     lines = []
     for i, each in enumerate(plot.uprights):
         values = np.full(len(order), np.nan)
         first = len(plot.x) + 2 * i
-        values[first : first + 2] = heights
-        lines.append(replace(plot.lines[0], look=each.look, values=values[order], width=1.5, dots=False, spread=None))
+        values[first : first + 2] = ends
+        line = replace(plot.lines[0], look=each.look, values=values[order], width=1.5)
+        lines.append(replace(line, dots=False, upright=True, spread=None))
     return lines
 
 
@@ -60,10 +65,3 @@ def _between(plot: "Plot", places: Floats, values: Floats, *, logarithmic: bool)
     y = np.log(np.where(values > 0, values, np.nan)) if logarithmic else values
     found: Floats = np.interp(at, x, y, left=np.nan, right=np.nan)
     return np.exp(found) if logarithmic else found
-
-
-def _heights(plot: "Plot") -> tuple[float, float]:
-    """The least and the largest number of the lines that the scale can show."""
-    values = np.concatenate([part for line in plot.lines for part in (line.values, *line.edges)])
-    shown = values[np.isfinite(values) & ((values > 0) | (not plot.logarithmic))]
-    return (float(shown.min()), float(shown.max())) if len(shown) else (np.nan, np.nan)

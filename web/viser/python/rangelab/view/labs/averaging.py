@@ -68,9 +68,8 @@ class Averaging:
 
     def _study(self, kind: Kind, scenario: Studied, trials: int, called_off: threading.Event) -> None:
         def told(done: int, of: int) -> bool:
-            if self._studio.stopped:
+            if self._studio.stopped or not self._tell(done / of, f"{kind.title}: {done} of {of} trials"):
                 return False
-            self._tell(done / of, f"{kind.title}: {done} of {of} trials")
             return not called_off.is_set() and self._shows(kind, scenario)
 
         try:
@@ -89,8 +88,8 @@ class Averaging:
         if not self._shows(kind, scenario):
             self._tell(None, "The scene has changed: the study was stopped.")
             return
-        self._tell(None, "" if study.trials == study.asked else f"Stopped after {study.trials} trials.")
-        self._studio.ask(study=study)
+        if self._tell(None, "" if study.trials == study.asked else f"Stopped after {study.trials} trials."):
+            self._studio.ask(study=study)
 
     def _shows(self, kind: Kind, scenario: Studied) -> bool:
         """Whether the document is still the one that is studied, in all that the study depends on."""
@@ -99,12 +98,17 @@ class Averaging:
             return now is scenario
         return kind.subject(now) == kind.subject(scenario)
 
-    def _tell(self, share: float | None, sentence: str) -> None:
-        self._bar.visible = share is not None
-        if share is not None:
-            put(self._bar, 100 * share)
-        self._said.visible = bool(sentence)
-        self._said.content = sentence
+    def _tell(self, share: float | None, sentence: str) -> bool:
+        """False where the panel is gone, which it may be from one moment to the next: with another lab."""
+        try:
+            self._bar.visible = share is not None
+            if share is not None:
+                put(self._bar, 100 * share)
+            self._said.visible = bool(sentence)
+            self._said.content = sentence
+        except RuntimeError:
+            return False
+        return True
 
 
 def averaging_controls(panel: Panel, kinds: Sequence[Kind] = (AVERAGES,)) -> None:

@@ -21,4 +21,4 @@ def mean_band(degrees: float, trials: int, probability: float) -> tuple[float, f
 
 
 def _band(degrees: float, trials: int) -> Band:
-    return Band(*mean_band(degrees, trials, PROBABILITY), f"95 % of χ² with {round(degrees, 1):g} degrees of freedom")
+    return Band(*mean_band(degrees, trials, PROBABILITY), f"95 % of χ², {round(degrees, 1):g} dof")

@@ -3,6 +3,7 @@
 import numpy as np
 
 from ...arrays import Floats
+from ..limits import magnified
 from ..looks import TRACK_BOUNDS, TRACKERS, Look
 from ..panel import DEGREES
 from ..plots import Band, Plot, expected
@@ -30,8 +31,8 @@ def averaged_plots(averages: Averages, times: Floats, bounds: list[str]) -> list
         Plot("Orientation RMSE, deg", times, angles),
         Plot("Position RMSE, m", times, positions),
         Plot("Projected trials, %", times, projections, logarithmic=False),
-        Plot("Mean NEES / dof", times, lines(TRACKERS, "nees") + rule, bands=_bands(averages, "nees")),
-        Plot("Mean NIS / dof, from step 2 on", times, nis + rule, bands=_bands(averages, "nis")),
+        magnified(Plot("Mean NEES / dof", times, lines(TRACKERS, "nees") + rule, bands=_bands(averages, "nees"))),
+        magnified(Plot("Mean NIS / dof, from step 2 on", times, nis + rule, bands=_bands(averages, "nis"))),
     ]
 
 

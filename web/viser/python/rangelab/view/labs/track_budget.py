@@ -25,9 +25,9 @@ THRESHOLDS = PAPER * 2 ** ((np.arange(21) - 12) / 3)
 RELATIVE = 10.0
 """So many times as large is a threshold that is relative to what the filter claims."""
 PARTS = {
-    "first": Look("step 1", "et-kf", dash=(2, 4)),
-    "all": Look("all", "et-kf"),
-    "last": Look("last", "et-kf", dash=(7, 4)),
+    "first": Look("step 1, dotted", "et-kf", dash=(2, 4)),
+    "all": Look("all steps", "et-kf"),
+    "last": Look("last, dashed", "et-kf", dash=(7, 4)),
 }
 SAME = 0.01
 """Angles that differ by a smaller share are said to be the same."""

@@ -18,7 +18,9 @@ from ..uprights import Upright
 
 MOST = 500
 """No more draws than a plot shows as points."""
-PARTS = {"posterior_crb": TRACK_BOUNDS["posterior_crb"], "kf": TRACKERS["kf"], "uc-kf": TRACKERS["uc-kf"]}
+PARTS = {"kf": TRACKERS["kf"], "uc-kf": TRACKERS["uc-kf"], "posterior_crb": TRACK_BOUNDS["posterior_crb"]}
+WIDTHS = {"kf": 2.0, "uc-kf": 1.6, "posterior_crb": 1.0}
+"""Dots that are drawn later are smaller, so that all are seen."""
 FIXED, REDRAWN = 0, 1
 
 
@@ -97,7 +99,7 @@ class Draws(StudyPage):
         lines = []
         for name, each in values.items():
             look = replace(PARTS[name], dash=())
-            lines.append(Line(look, each[order, REDRAWN], dots=True))
+            lines.append(Line(look, each[order, REDRAWN], WIDTHS[name], dots=True))
         for name, each in values.items():
             level = Look(f"{PARTS[name].label}, fixed", PARTS[name].token, dash=(7, 4))
             lines.append(Line(level, np.full(len(order), _quantiles(each[:, FIXED], 0.5)[0])))

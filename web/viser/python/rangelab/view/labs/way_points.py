@@ -6,13 +6,15 @@ import numpy as np
 
 from ..panel import Document, Panel
 from ..picture import Change
+from ..values import by_hand, put
 from .choices import Chosen
 
 PATH = "motion.path.points"
 
 
 def way_point_controls(panel: Panel) -> None:
-    """Whether the path is closed, and where each point is; nothing of another path."""
+    """How high the path lies, whether it is closed, and where each point is; nothing of another path."""
+    _height(panel)
     panel.tick(
         "closed: back to the start, and again",
         lambda document: (document["motion"]["path"] or {}).get("closed"),
@@ -22,6 +24,30 @@ def way_point_controls(panel: Panel) -> None:
     chosen.vector(f"{PATH}[#]", "way point, m", step=0.1)
     chosen.act("Remove the way point", _without)
     chosen.act("Add a way point after it", _with_one_after)
+
+
+def _height(panel: Panel) -> None:
+    """Of the last point; all of them and the start are put there."""
+    box = panel.gui.add_number("height, m", 0.0, step=0.1, hint="puts the start and all way points there")
+    box.precision = 9
+
+    def follow(document: Document) -> None:
+        points = points_of(document)
+        box.visible = bool(points) and len(points[-1]) == 3
+        if box.visible:
+            put(box, points[-1][2])
+
+    by_hand(box, lambda height: panel.edit("height", _lifted(float(height))))
+    panel.on_follow(follow)
+
+
+def _lifted(height: float) -> Change:
+    def change(scenario: Any) -> Any:
+        document = scenario.to_dict()
+        lifted = [[*point[:2], height] for point in points_of(document)]
+        return scenario.replace({PATH: lifted, "start.position": [*document["start"]["position"][:2], height]})
+
+    return change
 
 
 def points_of(document: Document) -> list[list[float]]:
