@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from rangelab import Scenario
+from rangelab import Scenario, Study
 from rangelab.view import Viewer
 from rangelab.view.labs import computed
 from rangelab.view.labs.localize import LocalizePicture
@@ -45,7 +45,7 @@ def test_the_fine_sweep_comes_by_itself_and_is_no_edit() -> None:
     with shown(ROOM, "localize") as (viewer, client):
         until(lambda: viewer.shown.wish.study is not None)
         study = viewer.shown.wish.study
-        assert study is not None
+        assert isinstance(study, Study)
         assert study.trials == 1000
         zetas = zetas_by(5.0)
         expected = ROOM.localization_study(noises_of(ROOM.to_dict(), zetas), 1000)

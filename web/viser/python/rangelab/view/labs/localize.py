@@ -227,6 +227,6 @@ def localize(wish: Wish) -> LocalizePicture:
     """
     source = wish.source
     assert isinstance(source, Scenario)
-    sweep = coarse_sweep(source) if wish.study is None else wish.study
+    sweep = wish.study if isinstance(wish.study, Study) else coarse_sweep(source)
     trials = cloud_of(source.to_dict())
     return LocalizePicture(wish, [source.localize(wish.trial + trial) for trial in range(trials)], sweep)
