@@ -90,7 +90,9 @@ def test_the_best_found_is_told_in_per_cent() -> None:
 
 SLOW = ROOM.replace(
     {
-        "anchors": np.concatenate([ROOM.anchors, ROOM.anchors + [0.3, 0.2, 0.1], ROOM.anchors - [0.1, 0.2, 0.3]]),
+        "anchors": np.concatenate(
+            [ROOM.anchors, *(ROOM.anchors + np.array(way) for way in ([0.3, 0.2, 0.1], [-0.1, -0.2, -0.3]))]
+        ),
         "field.headings": 72,
         "placement.region": {"low": [1, 1, 0.5], "high": [4, 4, 2]},
     }
