@@ -20,7 +20,7 @@ from ..readout import Row, Table
 from ..study_page import StudyPage
 from . import drawing
 from .averages import Averaged
-from .field_panel import in_angles
+from .field_told import draw_field, field_sentence
 from .obstacles import draw_obstacles, obstacle_handles
 from .placement_boxes import downhill, draw_arrows, draw_boxes
 from .track_averages import averaged_plots, averaged_readout
@@ -74,7 +74,8 @@ class TrackPicture(Averaged):
         run = self.run
         stopped = [f"{each.label} stopped: {each.failure[1]}" for each in run.estimators.values() if each.failure]
         scale = drawing.body_scale(run.sensors, drawing.extent_of(self.outline))
-        told = [run.unseen or "", *stopped, self._field_sentence(), *drawing.scale_sentence(scale)]
+        told_of_field = "" if self.field is None else field_sentence(self.field, self.document)
+        told = [run.unseen or "", *stopped, told_of_field, *drawing.scale_sentence(scale)]
         return list(filter(None, told))
 
     def handles(self) -> list[Handle]:
@@ -128,29 +129,12 @@ class TrackPicture(Averaged):
             ways = downhill(np.array(self.advice["gradient"]), self.document["placement"]["fixed"])
             draw_arrows(canvas, run.anchors, ways)
         if self.field is not None:
-            canvas.field("/field", self.field, self._field_limit)
+            draw_field(canvas, self.field, self.document)
 
     def _row(self, look: Look, each: EstimatorRun, step: int) -> Row:
         return Row(
             look, drawing.readings(each.orientation_errors, each.position_errors, step), drawing.ended(each, step)
         )
-
-    def _field_sentence(self) -> str:
-        if self.field is None or not np.isfinite(self.field.values).any():
-            return ""
-        angles = in_angles(self.document)
-        of, factor, unit = ("orientation", float(np.degrees(1.0)), "deg") if angles else ("position", 1e3, "mm")
-        low, high = factor * np.nanmin(self.field.values), factor * np.nanmax(self.field.values)
-        where = "" if self.document["field"]["subject"] == "body" else ", one more anchor there"
-        told = f"Bound of the {of}{where}: {low:.3g} {unit} (dark) to {high:.3g} {unit} (bright)."
-        limit = self._field_limit
-        return told if limit is None else f"{told} Hatched: worse than {factor * limit:.3g} {unit}."
-
-    @property
-    def _field_limit(self) -> float | None:
-        """What is worse is hatched."""
-        limit: float | None = self.document["field"]["angle_limit" if in_angles(self.document) else "position_limit"]
-        return limit
 
 
 def track(wish: Wish) -> TrackPicture:
