@@ -74,10 +74,11 @@ def test_averages_are_asked_for_shown_and_left(scenario: Any) -> None:
         assert viewer.shown.wish.study == scenario.study(40)
 
         def banded() -> list[Any]:
-            return [m for m in client.of_type("GuiUplotMessage") if m["props"]["bands"]]
+            plots = [m["props"] for m in client.of_type("GuiUplotMessage")]
+            return [plot for plot in plots if plot["title"] == "Position RMSE, m" and plot["bands"]]
 
         until(banded)
-        plot = next(m["props"] for m in banded() if m["props"]["title"] == "Position RMSE, m")
+        plot = banded()[0]
         assert all(plot["series"][edge]["label"] == "" for band in plot["bands"] for edge in band["series"])
         client.press("Show the single run")
         until(lambda: viewer.shown.wish.study is None)
