@@ -30,7 +30,11 @@ def with_vector(order: int, n: int, vector: ArrayLike) -> Change:
     """The edit of a node: its place (m), or one of its derivatives (m/s^l), given as it is seen."""
 
     def change(scenario: KinematicsScenario) -> KinematicsScenario:
-        gauge, given = gauge_of(scenario.to_dict()), np.asarray(vector, dtype=np.float64)
+        document, given = scenario.to_dict(), np.asarray(vector, dtype=np.float64)
+        gauge = gauge_of(document)
+        # What is taken in a hand and not moved keeps its numbers: there and back through the gauge rounds.
+        if np.array_equal(given, seen(document)[order, n]):
+            return scenario
         if order > 0:
             given = np.round(gauge.turned_back(given), CLEAN) + 0.0
         elif not gauge.is_identity:
