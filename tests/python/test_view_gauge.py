@@ -34,9 +34,11 @@ def picture(scenario: KinematicsScenario) -> AnchorlessPicture:
     return found
 
 
-@pytest.mark.parametrize("degrees", [0, 30, 90, -90, 180, 270, -179])
-def test_a_gauge_goes_there_and_back_exactly_for_quarter_turns(degrees: float) -> None:
-    gauge = Gauge(degrees, True, [3, 4], [-5, 7])
+@pytest.mark.parametrize("mirrored", [False, True])
+@pytest.mark.parametrize("degrees", [30, 90, -90, 180, 270, -179])
+def test_a_gauge_goes_there_and_back_exactly_for_quarter_turns(degrees: float, mirrored: bool) -> None:
+    # A mirror and a turn undo themselves, so that only a turn alone tells back from there.
+    gauge = Gauge(degrees, mirrored, [3, 4], [-5, 7])
     point, vector = np.array([11.0, 13.0]), np.array([2.0, -1.0])
     assert np.allclose(gauge.placed_back(gauge.placed(point)), point, rtol=0, atol=1e-12)
     assert np.allclose(gauge.turned_back(gauge.turned(vector)), vector, rtol=0, atol=1e-13)
