@@ -170,3 +170,19 @@ def test_lessons_open_presets_with_the_filters_that_tell_them() -> None:
         until(lambda: viewer.shown.wish.source.to_dict()["imu"]["gravity"] == 9.80665)
         client.set(client.control("position on the body, m"), (0.5, 0.1, 0.0))
         until(lambda: np.array_equal(viewer.shown.run.transmitters[0], [0.5, 0.1, 0.0]))
+
+
+def test_gravity_is_shown_and_typed_with_its_digits() -> None:
+    with shown(IndoorScenario.preset("indoor-gravity")) as (viewer, client):
+        box = client.control("gravity, m/s²")
+        shown_values = [
+            each["updates"].get("value") for each in client.of_type("GuiUpdateMessage") if each["uuid"] == box
+        ]
+        made = [
+            each["props"].get("value", each.get("value"))
+            for each in client.of_type("GuiNumberMessage")
+            if each["uuid"] == box
+        ]
+        assert 9.80665 in [*shown_values, *made]
+        client.set(box, 1.625)
+        until(lambda: viewer.shown.wish.source.to_dict()["imu"]["gravity"] == 1.625)

@@ -80,7 +80,8 @@ class Panel:
         """A number, shown `factor` times as large; a whole one has whole steps."""
         whole = isinstance(step, int)
         first = least if least is not None else 0
-        handle = self.gui.add_number(label, first, min=least, max=most, step=step, hint=hint)
+        # viser makes all later values of the type of the first.
+        handle = self.gui.add_number(label, first if whole else float(first), min=least, max=most, step=step, hint=hint)
         handle.precision = 0 if whole else DIGITS
 
         def write(document: Document) -> None:
