@@ -66,6 +66,14 @@ def test_what_a_logarithmic_plot_cannot_show_is_not_drawn_at_its_end() -> None:
         assert {(each["distr"], each["clamp"]) for each in scales} == {(3, np.inf)}
 
 
+def test_numbers_of_millions_have_room_beside_the_axis() -> None:
+    assert PAPER.gram_spectrum().fitted.max() > 1e6
+    with shown(PAPER) as (_, client):
+        until(lambda: len(client.of_type("GuiUplotMessage")) >= 4)
+        found = {each["props"]["title"]: each["props"]["axes"][1]["size"] for each in client.of_type("GuiUplotMessage")}
+        assert found["Spectrum: positions, m²"] > found["Error, one alignment, m"]
+
+
 def test_averages_are_those_of_the_report_with_its_bounds() -> None:
     study = averages(PAPER, TRIALS, going)
     report, found = PAPER.study(TRIALS).to_dict(), picture(PAPER, study)

@@ -12,6 +12,7 @@ from .themes import Theme
 from .uprights import Upright, with_uprights
 
 HEIGHT = 230
+NARROW, WIDE = 62, 88
 SHADE = "26"
 """How much of its colour a band has, in hexadecimal."""
 BAND_DASH = (1, 3)
@@ -85,7 +86,9 @@ class Plots:
     def draw(self, plots: list[Plot], theme: Theme) -> None:
         """Draws those that have lines, in their order."""
         plots = [with_uprights(plot) for plot in plots if plot.lines]
-        kinds: list[object] = [(plot.title, plot.axis, _scales(plot), _series(plot, theme)) for plot in plots]
+        kinds: list[object] = [
+            (plot.title, plot.axis, _width(plot), _scales(plot), _series(plot, theme)) for plot in plots
+        ]
         if kinds != self._kinds:
             for handle in self._handles:
                 handle.remove()
@@ -103,11 +106,18 @@ class Plots:
             title=plot.title,
             bands=_bands(plot, theme),
             scales=_scales(plot),
-            axes=({"label": plot.axis, "size": 28, "labelSize": 20}, {"size": 62}),
+            axes=({"label": plot.axis, "size": 28, "labelSize": 20}, {"size": _width(plot)}),
             padding=(12, 24, 0, 0),
             legend={"show": True, "live": False},
             height=HEIGHT,
         )
+
+
+def _width(plot: Plot) -> int:
+    """Of the numbers of the upright axis, pixels: from a million on they are longer."""
+    known = np.concatenate([line.values[np.isfinite(line.values)] for line in plot.lines])
+    largest = known.max(initial=0.0)
+    return WIDE if largest >= 1e6 else NARROW
 
 
 def _scales(plot: Plot) -> dict[str, uplot.Scale]:
