@@ -8,6 +8,7 @@ use rangelab::model::run::{BoundRecord, Failure, StepRecord};
 
 use crate::array::{array, flags};
 use crate::compute::compute;
+use crate::documents::json;
 
 /// A run; estimators and bounds are numbered as in its document.
 #[pyclass(frozen, module = "rangelab._core")]
@@ -71,6 +72,11 @@ impl Run {
     #[getter]
     fn dimension(&self) -> usize {
         self.0.dimension
+    }
+
+    /// How thin anchors and sensors lie, as JSON.
+    fn geometry(&self) -> String {
+        json(&self.0.geometry)
     }
 
     /// Why complete ranges do not show the whole pose, in a sentence.

@@ -1,5 +1,6 @@
 """Runs: what trackers and bounds made of a recording."""
 
+import json
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -174,7 +175,7 @@ class Run(RunReport[EstimatorRun]):
 
         Of each its `thickness` (m) and its `direction`: the plane's normal, along the line.
         """
-        found: dict[str, Any] = self.to_dict()["geometry"]
+        found: dict[str, Any] = json.loads(self._core.geometry())
         return found
 
     @property

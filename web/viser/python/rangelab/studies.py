@@ -1,7 +1,7 @@
 """Monte-Carlo studies: averages over many trials, each with its standard error."""
 
 import json
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -26,6 +26,19 @@ class Curve:
 
     values: Floats
     standard_errors: Floats
+
+    @classmethod
+    def of(cls, estimates: Iterable[Mapping[str, float | None]], factor: float = 1.0) -> "Curve":
+        """From estimates as reports have them, `{"value", "standard_error"}`, so many times as large.
+
+        >>> Curve.of([{"value": 2.0, "standard_error": 0.5}, {"value": None}], 10.0).values
+        array([20., nan])
+
+        """
+        # As numbers None is NaN.
+        rows = [(each.get("value"), each.get("standard_error")) for each in estimates]
+        values, errors = factor * np.array(rows, dtype=np.float64).reshape(-1, 2).T
+        return cls(values, errors)
 
 
 @dataclass(frozen=True)

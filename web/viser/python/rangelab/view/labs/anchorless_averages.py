@@ -9,12 +9,11 @@ import numpy as np
 
 from ...jobs import Progress
 from ...kinematics import KinematicsScenario
-from ...studies import Study
 from ..looks import KINEMATICS, KINEMATICS_BOUNDS
 from ..panel import Document
 from ..plots import Plot
 from ..readout import Row, Table
-from ..study_page import StudyPage
+from ..study_page import PageOfStudy
 from .anchorless_findings import judged
 from .anchorless_levels import Level, Report
 
@@ -33,35 +32,20 @@ def averages(scenario: KinematicsScenario, trials: int, progress: Progress) -> "
         Cancelled: where progress says so before the first trials.
         Error: in a sentence.
     """
-    return KinematicsAverages(subject(scenario), scenario.study(trials, progress=progress))
+    study = scenario.study(trials, progress=progress)
+    return KinematicsAverages(subject(scenario), study.asked, study)
 
 
 @dataclass(frozen=True, eq=False)
-class KinematicsAverages(StudyPage):
+class KinematicsAverages(PageOfStudy):
     """The positions over time, and the motion at time 0."""
 
-    of: Any
-    """What was studied."""
-    study: Study
-
-    @property
-    def asked(self) -> int:  # type: ignore[override]
-        """Trials that were asked for."""
-        return self.study.asked
-
-    @property
-    def trials(self) -> int:
-        """Trials that were run."""
-        return self.study.trials
+    subject = staticmethod(subject)
 
     @cached_property
     def report(self) -> Report:
         """The figures."""
         return Report(self.study)
-
-    def holds_for(self, source: Any) -> bool:
-        """Whether no more than the view differs."""
-        return bool(subject(source) == self.of)
 
     def plots(self, document: Document) -> list[Plot]:
         """The page's plots of one run as averages, beside their bounds."""

@@ -10,8 +10,8 @@ import numpy as np
 from ...arrays import Floats
 from ...distances import kinematics_estimators
 from ...kinematics_run import KinematicsRun
-from ...studies import Study
-from ..looks import KINEMATICS, KINEMATICS_BOUNDS, Look
+from ...studies import Curve, Study
+from ..looks import KINEMATICS, KINEMATICS_BOUNDS
 from ..plots import Line
 from . import drawing
 
@@ -100,40 +100,22 @@ class Report:
     @property
     def levels(self) -> list[Level]:
         """Of those that found a motion."""
-        return [
-            Level(
-                name,
-                *columns(found["coefficients"]),
-                self.coefficients(bound_of(name)),
-                (found["positions"][-1]["value"], found["aligned_positions"][-1]["value"]),
-            )
-            for name, found in self.summaries.items()
-            if found["trials"] and found["coefficients"]
-        ]
+        summaries = self.summaries.items()
+        return [self._level(name, found) for name, found in summaries if found["trials"] and found["coefficients"]]
+
+    def _level(self, name: str, found: dict[str, Any]) -> Level:
+        errors = Curve.of(found["coefficients"])
+        last = found["positions"][-1]["value"], found["aligned_positions"][-1]["value"]
+        bounds = self.coefficients(bound_of(name))
+        return Level(name, errors.values.tolist(), errors.standard_errors.tolist(), bounds, last)
 
     def lines(self, of: str) -> tuple[Line, ...]:
         """Bounds, and estimators with bands of two standard errors, over the instants."""
         bounds = {kind: np.array(each[of] or ()) for kind, each in self.bounds.items()}
-        curves = {name: np.array(columns(found[of])) for name, found in self.summaries.items() if found[of]}
-        return bound_lines(bounds) + banded(KINEMATICS, curves)
-
-
-def columns(estimates: Sequence[Mapping[str, float | None]]) -> tuple[list[float], list[float]]:
-    """Values and standard errors of estimates; NaN where there is none."""
-    values, errors = (
-        [np.nan if each.get(key) is None else float(each[key] or 0.0) for each in estimates]
-        for key in ("value", "standard_error")
-    )
-    return values, errors
+        curves = {name: Curve.of(found[of]) for name, found in self.summaries.items() if found[of]}
+        return bound_lines(bounds) + drawing.banded(KINEMATICS, curves)
 
 
 def bound_lines(bounds: Mapping[str, Floats]) -> tuple[Line, ...]:
     """Those that there are."""
     return tuple(Line(KINEMATICS_BOUNDS[kind], values, 1.5) for kind, values in bounds.items() if len(values))
-
-
-def banded(looks: dict[str, Look], curves: Mapping[str, Floats]) -> tuple[Line, ...]:
-    """Lines of values with bands of two standard errors on either side (2 x points)."""
-    plain = drawing.lines_of(looks, {name: values for name, (values, _) in curves.items()})
-    errors = {looks[name]: standard_errors for name, (_, standard_errors) in curves.items()}
-    return tuple(Line(line.look, line.values, line.width, spread=2 * errors[line.look]) for line in plain)

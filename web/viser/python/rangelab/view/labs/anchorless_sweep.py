@@ -10,15 +10,16 @@ import numpy as np
 from ..._core import Cancelled
 from ...jobs import Progress
 from ...kinematics import KinematicsScenario
-from ...studies import Study
+from ...studies import Curve, Study
 from ..looks import KINEMATICS, Look
 from ..panel import Document
 from ..plots import Line, Plot
 from ..study_page import StudyPage
 from ..uprights import Upright
+from . import drawing
 from .anchorless_findings import judged
 from .anchorless_hints import interval_of
-from .anchorless_levels import Report, banded, bound_lines, columns
+from .anchorless_levels import Report, bound_lines
 
 COUNTS = (10, 20, 50, 100, 200, 500, 1000)
 MOST = 200
@@ -59,17 +60,16 @@ def over_stamps(scenario: KinematicsScenario, trials: int, progress: Progress) -
             break
         if studies[-1].trials < each:
             break
-    return Sweep(subject(scenario), tuple(studies), len(COUNTS) * each)
+    return Sweep(subject(scenario), len(COUNTS) * each, tuple(studies))
 
 
 @dataclass(frozen=True, eq=False)
 class Sweep(StudyPage):
     """The averages at each number of stamps."""
 
-    of: Any
-    """What was studied."""
     studies: Sequence[Study]
-    asked: int
+
+    subject = staticmethod(subject)
 
     @property
     def trials(self) -> int:
@@ -80,10 +80,6 @@ class Sweep(StudyPage):
     def reports(self) -> list[Report]:
         """The figures at each number of stamps."""
         return [Report(study) for study in self.studies]
-
-    def holds_for(self, source: Any) -> bool:
-        """Whether no more than the number of stamps, the steps that are played or the view differs."""
-        return bool(subject(source) == self.of)
 
     def nearest(self, stamps: int) -> Report:
         """The averages at the number of stamps next to one."""
@@ -109,14 +105,14 @@ class Sweep(StudyPage):
     def _lines(self, order: int) -> tuple[Line, ...]:
         names, kinds = self.reports[0].summaries, self.reports[0].bounds
         bounds = {kind: _at(order, [report.coefficients(kind) for report in self.reports]) for kind in kinds}
-        curves = {name: np.stack([_at(order, part) for part in zip(*self._found(name), strict=True)]) for name in names}
-        return bound_lines({kind: each for kind, each in bounds.items() if np.isfinite(each).any()}) + banded(
-            KINEMATICS, {name: each for name, each in curves.items() if np.isfinite(each[0]).any()}
-        )
+        curves = {name: Curve.of(self._found(name, order)) for name in names}
+        known = bound_lines({kind: each for kind, each in bounds.items() if np.isfinite(each).any()})
+        return known + drawing.banded(KINEMATICS, curves)
 
-    def _found(self, name: str) -> list[tuple[list[float], list[float]]]:
-        """Values and standard errors of the coefficients at each number of stamps."""
-        return [columns(report.summaries[name]["coefficients"]) for report in self.reports]
+    def _found(self, name: str, order: int) -> list[dict[str, float | None]]:
+        """What was found of a coefficient at each number of stamps; nothing where there is no such one."""
+        rows = [report.summaries[name]["coefficients"] for report in self.reports]
+        return [row[order] if order < len(row) else {} for row in rows]
 
 
 def count_of_stamps(document: Document) -> int:

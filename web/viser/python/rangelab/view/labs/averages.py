@@ -23,19 +23,11 @@ class Averages:
 
     def curve(self, name: str, figure: str, factor: float = 1.0) -> Curve:
         """A figure of an estimator or bound along the steps, so many times as large."""
-        found = [step.get(figure) or {} for step in self._steps[name]]
-
-        def column(key: str) -> Floats:
-            values = [each.get(key) for each in found]
-            return factor * np.array([np.nan if value is None else value for value in values])
-
-        return Curve(column("value"), column("standard_error"))
+        return Curve.of((step.get(figure) or {} for step in self._steps[name]), factor)
 
     def column(self, name: str, key: str) -> Floats:
         """A plain number of an estimator at each step, such as how many trials failed."""
-        return np.array(
-            [np.nan if step.get(key) is None else step[key] for step in self._steps[name]], dtype=np.float64
-        )
+        return np.array([step.get(key) for step in self._steps[name]], dtype=np.float64)
 
     def has(self, name: str) -> bool:
         """Whether there are figures of an estimator."""
@@ -48,9 +40,7 @@ class Averages:
     def lines(self, looks: dict[str, Look], figure: str, factor: float = 1.0) -> tuple[Line, ...]:
         """A line for each of those that have the figure, with a band of two standard errors on either side."""
         curves = {name: self.curve(name, figure, factor) for name in looks if name in self._steps}
-        plain = drawing.lines_of(looks, {name: curve.values for name, curve in curves.items()})
-        errors = {looks[name]: curve.standard_errors for name, curve in curves.items()}
-        return tuple(Line(line.look, line.values, line.width, spread=2 * errors[line.look]) for line in plain)
+        return drawing.banded(looks, curves)
 
     @cached_property
     def _steps(self) -> dict[str, list[dict[str, Any]]]:

@@ -13,8 +13,9 @@ from ...kinematics import KinematicsScenario
 from ...scenario import Scenario
 from ...studies import Study
 from ..panel import Panel
+from ..progress import ProgressLine
 from ..study_page import StudyPage
-from ..values import in_order, put
+from ..values import in_order
 
 TRIALS = 1000
 Studied = Scenario | IndoorScenario | KinematicsScenario
@@ -44,8 +45,7 @@ class Averaging:
 
     def __init__(self, panel: Panel) -> None:
         self._studio = panel.studio
-        self._said = panel.gui.add_markdown("", visible=False)
-        self._bar = panel.gui.add_progress_bar(0.0, visible=False)
+        self._line = ProgressLine(panel.gui)
         self._running: threading.Event | None = None
 
     @property
@@ -56,10 +56,8 @@ class Averaging:
     def start(self, kind: Kind, scenario: Studied, trials: int) -> None:
         """Runs trials in the background."""
         called_off = self._running = threading.Event()
-        self._tell(0.0, f"{kind.title}: 0 of {trials} trials")
-        threading.Thread(
-            target=self._study, args=(kind, scenario, trials, called_off), name="rangelab-study", daemon=True
-        ).start()
+        self._line.tell(0.0, f"{kind.title}: 0 of {trials} trials")
+        self._studio.in_background("rangelab-study", lambda: self._study(kind, scenario, trials, called_off))
 
     def end(self) -> None:
         """Ends the study; what the trials that are done gave is shown."""
@@ -68,7 +66,7 @@ class Averaging:
 
     def _study(self, kind: Kind, scenario: Studied, trials: int, called_off: threading.Event) -> None:
         def told(done: int, of: int) -> bool:
-            if self._studio.stopped or not self._tell(done / of, f"{kind.title}: {done} of {of} trials"):
+            if self._studio.stopped or not self._line.tell(done / of, f"{kind.title}: {done} of {of} trials"):
                 return False
             return not called_off.is_set() and self._shows(kind, scenario)
 
@@ -76,7 +74,7 @@ class Averaging:
             study = kind.run(scenario, trials, told)
         except (Cancelled, Error) as error:
             self._running = None
-            self._tell(None, f"{error}".capitalize() + ".")
+            self._line.tell(None, f"{error}".capitalize() + ".")
         else:
             in_order(self._show, kind, scenario, study)
 
@@ -86,9 +84,9 @@ class Averaging:
         if self._studio.stopped:
             return
         if not self._shows(kind, scenario):
-            self._tell(None, "The scene has changed: the study was stopped.")
+            self._line.tell(None, "The scene has changed: the study was stopped.")
             return
-        if self._tell(None, "" if study.trials == study.asked else f"Stopped after {study.trials} trials."):
+        if self._line.tell(None, "" if study.trials == study.asked else f"Stopped after {study.trials} trials."):
             self._studio.ask(study=study)
 
     def _shows(self, kind: Kind, scenario: Studied) -> bool:
@@ -97,18 +95,6 @@ class Averaging:
         if now is scenario or not isinstance(now, type(scenario)):
             return now is scenario
         return kind.subject(now) == kind.subject(scenario)
-
-    def _tell(self, share: float | None, sentence: str) -> bool:
-        """False where the panel is gone, which it may be from one moment to the next: with another lab."""
-        try:
-            self._bar.visible = share is not None
-            if share is not None:
-                put(self._bar, 100 * share)
-            self._said.visible = bool(sentence)
-            self._said.content = sentence
-        except RuntimeError:
-            return False
-        return True
 
 
 def averaging_controls(panel: Panel, kinds: Sequence[Kind] = (AVERAGES,)) -> None:

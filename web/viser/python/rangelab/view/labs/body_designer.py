@@ -14,7 +14,8 @@ from ..picture import Change, Wish
 from ..readout import reading
 from ..values import by_hand, put
 from .choices import Chosen
-from .size_curve import SizeCurves, size_of
+from .explore import ExplorePicture
+from .size_curve import size_of
 
 OWN = "of its own"
 LIKE = 1e-4
@@ -104,7 +105,9 @@ def _bounds(panel: Panel) -> None:
         source = panel.studio.wish.source
         if isinstance(source, Scenario):
             before = before_the_body_changed(source, panel.studio.before)
-            told.content = _table(source.explore(), None if before is None else before.explore())
+            shown = panel.studio.good
+            known = isinstance(shown, ExplorePicture) and shown.scenario is source
+            told.content = _table(shown.run if known else source.explore(), before.explore() if before else None)
 
     panel.on_follow(follow)
 
@@ -162,9 +165,9 @@ def _size(panel: Panel) -> None:
 
 
 def _size_told(panel: Panel) -> str:
-    """What the plot of the sizes shows."""
-    document = panel.studio.document
-    return SizeCurves.of(document).sentence() if isinstance(document, Scenario) else ""
+    """What the plot of the sizes shows, where there is one."""
+    picture = panel.studio.good
+    return picture.sizes.sentence() if isinstance(picture, ExplorePicture) else ""
 
 
 def position_floor(document: Document) -> str:

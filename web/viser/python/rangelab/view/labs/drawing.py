@@ -1,5 +1,6 @@
 """What the labs draw alike: the truth, the body, what estimators found of it."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
@@ -7,6 +8,7 @@ import numpy as np
 
 from ...arrays import Flags, Floats
 from ...reports import PosePart
+from ...studies import Curve
 from .. import shapes
 from ..canvas import Canvas
 from ..fans import fan_around
@@ -40,7 +42,11 @@ def magnification(errors: list[Floats], extent: float, share: float = LARGEST_ER
     largest = max((float(each.max()) for each in known if len(each)), default=0.0)
     if largest <= 0:
         return 1.0
-    wanted = share * extent / largest
+    return round_times(share * extent / largest)
+
+
+def round_times(wanted: float) -> float:
+    """The largest round number, 1, 2 or 5 times a power of ten, that is no more than the wanted one; at least 1."""
     decade = 10.0 ** np.floor(np.log10(wanted))
     return max(1.0, float(max(n * decade for n in (1, 2, 5) if n * decade <= wanted)))
 
@@ -142,6 +148,13 @@ def lines_of(looks: dict[str, Look], values: dict[str, Floats], factor: float = 
     shown = {name: factor * each for name, each in values.items() if np.isfinite(each).any()}
     widths = rims(len(shown))
     return tuple(Line(looks[name], each, 1.5 + rim) for (name, each), rim in zip(shown.items(), widths, strict=True))
+
+
+def banded(looks: dict[str, Look], curves: Mapping[str, Curve]) -> tuple[Line, ...]:
+    """Lines of averages, with a band of two standard errors on either side."""
+    plain = lines_of(looks, {name: curve.values for name, curve in curves.items()})
+    errors = {looks[name]: curve.standard_errors for name, curve in curves.items()}
+    return tuple(replace(line, spread=2 * errors[line.look]) for line in plain)
 
 
 def readings(angles: Floats, positions: Floats, step: int) -> tuple[float, float, float, float]:

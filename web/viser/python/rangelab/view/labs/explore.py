@@ -17,13 +17,14 @@ from ..plots import Plot
 from ..readout import Row, Table
 from . import drawing
 from .bench import Bench
-from .field_told import draw_field, field_sentence
+from .field_told import field_sentence
+from .findings import as_sentence
 from .ghost import Motion, motion_of
-from .obstacles import draw_obstacles, obstacle_handles
-from .placement_boxes import downhill, draw_arrows, draw_boxes
+from .obstacles import obstacle_handles
 from .probe import probed
+from .room import advice_of, draw_room, field_of
 from .size_curve import SizeCurves
-from .track import FIELD_CELLS, anchor_handles
+from .track import anchor_handles
 
 ROUNDED = 1e-12
 """Singular values below this share of the largest are zero but for rounding."""
@@ -92,9 +93,9 @@ class ExplorePicture:
 
     def sentences(self) -> list[str]:
         """What is hidden and by what, what is drawn, and what the colours of the field mean."""
-        told = [_as_sentence(self.run["sentence"])]
+        told = [as_sentence(self.run["sentence"])]
         if self.run["twin"] is not None:
-            told.append(f"{_as_sentence(self.run['twin']['sentence'])} It is drawn dashed.")
+            told.append(f"{as_sentence(self.run['twin']['sentence'])} It is drawn dashed.")
         if self.motion is not None:
             told.append(self.motion.sentence)
         available = np.array(self.run["available"])
@@ -142,13 +143,7 @@ class ExplorePicture:
         self._draw_ranges(canvas, corners)
         self._draw_bounds(canvas, place, turned, magnify)
         self._draw_hidden(canvas, place, turned, corners)
-        draw_obstacles(canvas, self.document, self._room)
-        draw_boxes(canvas, self.document)
-        if self.advice is not None:
-            ways = downhill(np.array(self.advice["gradient"]), self.document["placement"]["fixed"])
-            draw_arrows(canvas, self.scenario.anchors, ways)
-        if self.field is not None:
-            draw_field(canvas, self.field, self.document)
+        draw_room(canvas, self.document, self._room, self.field, self.advice)
         self.bench.draw(canvas, self.scenario.sensors, self.document["mounting_sigma"])
 
     def _draw_ranges(self, canvas: Canvas, corners: Floats) -> None:
@@ -205,8 +200,8 @@ def explore(wish: Wish) -> ExplorePicture:
         document,
         source,
         SizeCurves.of(source),
-        source.field(FIELD_CELLS) if wish.field else None,
-        source.advise() if wish.advice and document["redraw_anchors"] is None else None,
+        field_of(wish, source),
+        advice_of(wish, source),
         None if probe is None else _read(source, probe),
     )
 
@@ -222,7 +217,3 @@ def _read(scenario: Scenario, place: tuple[float, ...]) -> dict[str, Any] | None
 def _bounds(found: dict[str, Any]) -> tuple[float, float]:
     angle, position = (np.nan if found[key] is None else found[key] for key in ("angle_sigma", "position_sigma"))
     return float(np.degrees(angle)), float(position)
-
-
-def _as_sentence(text: str) -> str:
-    return text if text.endswith(".") else f"{text}."

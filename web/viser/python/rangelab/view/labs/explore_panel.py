@@ -6,7 +6,7 @@ from .body_designer import body_controls, mounting_control, sensor_controls, unk
 from .field_panel import field_controls
 from .noise import noise_controls
 from .obstacles import obstacle_controls
-from .orientation import orientation_control
+from .orientation import start_controls
 from .placement import placement_controls
 from .track_panel import fan_control
 
@@ -19,8 +19,7 @@ def explore_controls(panel: Panel) -> None:
     with panel.folder("Body", opened=True):
         body_controls(panel)
     with panel.folder("Pose of the body"):
-        panel.vector("start.position", "position, m", step=0.1)
-        orientation_control(panel, "start.orientation", "orientation")
+        start_controls(panel)
     _room(panel)
     with panel.folder("Ranges"):
         noise_controls(panel)

@@ -31,6 +31,16 @@ def weightiest(found: Iterable[Finding | None]) -> str:
     return " ".join(each.text for each in given if each in chosen)
 
 
+def first_stopped(stopped: Iterable[tuple[int, str, str]]) -> Finding | None:
+    """Who gave up first, by the step, why and who; the others are counted."""
+    gone = list(stopped)
+    if not gone:
+        return None
+    step, why, label = min(gone, key=lambda each: each[0])
+    others = f", and {count_of(len(gone) - 1)} more" if len(gone) > 1 else ""
+    return Finding(f"{label} stopped at step {step + 1}{others}: {as_sentence(why)}", 100)
+
+
 def count_of(count: int) -> str:
     """Small numbers as words, others as digits."""
     return COUNTS[count] if count < len(COUNTS) else str(count)

@@ -7,6 +7,7 @@ import numpy as np
 
 from ...arrays import Floats
 from .. import shapes
+from .drawing import round_times
 
 LEAST, UNSEEN = 0.25, 0.6
 """Shares of the body's radius: those that move by less are not seen, in one that no range sees they move by it."""
@@ -62,9 +63,7 @@ def turn(vector: Floats) -> Floats:
 def _magnified(deviation: float, least: float) -> float:
     if deviation >= least:
         return 1.0
-    wanted = 2 * least / max(deviation, 1e-12)
-    power = 10.0 ** np.floor(np.log10(wanted))
-    return max(1.0, float(max(digit * power for digit in (1, 2, 5) if digit * power <= wanted)))
+    return round_times(2 * least / max(deviation, 1e-12))
 
 
 def _vector(values: list[float], *, turns: bool) -> Floats:

@@ -6,7 +6,7 @@ from ...indoor import IndoorRun
 from ..looks import FILTERS
 from ..readout import reading
 from .averages import Averages
-from .findings import Finding, as_sentence, count_of, weightiest
+from .findings import Finding, first_stopped, weightiest
 from .indoor_lessons import lessons
 from .indoor_levels import levels_of_averages, levels_of_run
 
@@ -14,13 +14,8 @@ from .indoor_levels import levels_of_averages, levels_of_run
 def described(run: IndoorRun, convention: str) -> str:
     """Of one run: first the filter that stopped first, and why."""
     levels = levels_of_run(run)
-    stopped = [(*each.failure, each.label) for each in run.filters.values() if each.failure]
-    if not stopped:
-        return weightiest(lessons(levels, convention))
-    step, why, label = min(stopped, key=lambda each: each[0])
-    more = f", and {count_of(len(stopped) - 1)} more" if len(stopped) > 1 else ""
-    first = Finding(f"{label} stopped at step {step + 1}{more}: {as_sentence(why)}", 100)
-    return weightiest([first, *lessons(levels, convention)]) if levels else first.text
+    first = first_stopped((*each.failure, each.label) for each in run.filters.values() if each.failure)
+    return first.text if first and not levels else weightiest([first, *lessons(levels, convention)])
 
 
 def judged(averages: Averages, filters: list[str], convention: str) -> str:

@@ -85,9 +85,8 @@ class LocalizePicture:
         degrees = float(np.degrees(1.0))
         angles, positions = self._errors("angle"), self._errors("position")
         sensors = {name: self._column(i, "sensors_error") for i, name in enumerate(self._names())}
-        points = len(self.sweep.to_dict()["points"])
         return [
-            *sweep_plots(self.sweep, np.linspace(0.0, LAST, points), self._shown_bounds()),
+            *sweep_plots(self.sweep, LAST, self._shown_bounds()),
             self._plot("Orientation error of each trial, deg", "angle", angles, degrees),
             self._plot("Position error of each trial, m", "position", positions, 1.0),
             self._plot("Error of all sensors in each trial, m", "sensors", sensors, 1.0),

@@ -10,7 +10,7 @@ from .anchors import anchor_controls
 from .body_designer import mounting_control, position_floor, sensor_controls
 from .noise import noise_controls
 from .noise_sweep import sweep_controls
-from .orientation import orientation_control
+from .orientation import start_controls
 from .track_panel import seed_controls
 
 TRIALS, MOST_TRIALS = 50, 500
@@ -47,8 +47,7 @@ def localize_controls(panel: Panel) -> None:
             first=FIRST_SIGMA,
         )
     with panel.folder("Pose of the body"):
-        panel.vector("start.position", "position, m", step=0.1)
-        orientation_control(panel, "start.orientation", "orientation")
+        start_controls(panel)
     with panel.folder("Sensors on the body"):
         sensor_controls(panel)
     with panel.folder("Anchors"):

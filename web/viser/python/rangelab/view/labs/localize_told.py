@@ -5,6 +5,7 @@ import numpy as np
 from ...arrays import Floats
 from ..looks import LOCALIZER_BOUNDS, LOCALIZERS
 from ..readout import reading, root_mean_square
+from ..words import joined
 
 ON_RAW_RANGES = ("gauss-newton", "maximum-likelihood")
 OFTEN = 0.01
@@ -63,8 +64,7 @@ def failing(failures: dict[str, list[str]], trials: int) -> str:
 def _names(names: list[str]) -> str:
     if len(names) > MOST_NAMES:
         return f"{len(names)} localizers"
-    labels = [LOCALIZERS[name].label for name in names]
-    return labels[0] if len(labels) == 1 else f"{', '.join(labels[:-1])} and {labels[-1]}"
+    return joined([LOCALIZERS[name].label for name in names])
 
 
 def _errors(pair: tuple[float, float]) -> str:

@@ -11,8 +11,8 @@ from ...scenario import Scenario
 from ...studies import Study
 from ..panel import Document, Panel
 from ..picture import Wish
+from ..progress import ProgressLine
 from ..readout import reading
-from ..values import put
 from .noise import median_range, same_noise_as
 
 LAST = 100.0
@@ -58,8 +58,7 @@ class Sweeping:
 
     def __init__(self, panel: Panel) -> None:
         self._studio = panel.studio
-        self._said = panel.gui.add_markdown("")
-        self._bar = panel.gui.add_progress_bar(0.0, visible=False)
+        self._line = ProgressLine(panel.gui)
         self._trials = panel.gui.add_number("trials a point", FINE_TRIALS, min=20, max=100_000, step=100)
         self._button = panel.button("Stop", self._press)
         self._running: tuple[Wish, threading.Event] | None = None
@@ -91,7 +90,7 @@ class Sweeping:
         def told(done: int, of: int) -> bool:
             wanted = self._studio.still_asks(wish) and not called_off.is_set()
             if wanted:
-                self._tell(done / of, f"Sweeping: {done} of {of}")
+                self._line.tell(done / of, f"Sweeping: {done} of {of}")
             return wanted
 
         noises = noises_of(wish.source.to_dict(), zetas_by(FINE_STEP))
@@ -108,13 +107,7 @@ class Sweeping:
         if self._studio.still_asks(wish) and self._running is not None and self._running[0] is wish:
             self._running = None
             self._button.label = "Sweep again"
-            self._tell(None, sentence)
-
-    def _tell(self, share: float | None, sentence: str) -> None:
-        self._bar.visible = share is not None
-        if share is not None:
-            put(self._bar, 100 * share)
-        self._said.content = sentence
+            self._line.tell(None, sentence)
 
 
 def sweep_controls(panel: Panel) -> None:

@@ -61,3 +61,9 @@ def orientation_control(panel: Panel, path: str, label: str) -> None:
     for box in boxes.values():
         by_hand(box, lambda value: panel.put(path, rotation_of(np.atleast_1d(value).tolist())))
     panel.on_follow(follow)
+
+
+def start_controls(panel: Panel) -> None:
+    """Where the body begins."""
+    panel.vector("start.position", "position, m", step=0.1)
+    orientation_control(panel, "start.orientation", "orientation")

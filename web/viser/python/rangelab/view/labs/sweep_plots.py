@@ -6,8 +6,9 @@ from typing import Any
 import numpy as np
 
 from ...arrays import Floats
-from ...studies import Study
+from ...studies import Curve, Study
 from ..looks import LOCALIZER_BOUNDS, LOCALIZERS, Look
+from ..panel import DEGREES
 from ..plots import Line, Plot
 from . import drawing
 
@@ -28,7 +29,7 @@ class Figure:
 
 
 FIGURES = (
-    Figure("Orientation RMSE, deg", "rms_angle", "angle", float(np.degrees(1.0))),
+    Figure("Orientation RMSE, deg", "rms_angle", "angle", DEGREES),
     Figure("Position RMSE, m", "rmse_position", "position"),
     Figure("RMSE(Q)", "rmse_orientation", "orientation"),
     Figure("Mirrored bodies, %", "reflection_rate", factor=100.0, logarithmic=False),
@@ -38,9 +39,10 @@ FIGURES = (
 )
 
 
-def sweep_plots(study: Study, zetas: Floats, bounds: list[str]) -> list[Plot]:
-    """All of them, with these bounds."""
+def sweep_plots(study: Study, last: float, bounds: list[str]) -> list[Plot]:
+    """All of them, with these bounds; the points of the study are in even steps from 0 to the last, dB."""
     report = study.to_dict()
+    zetas = np.linspace(0.0, last, len(report["points"]))
     points = {part["name"]: part["points"] for part in (*report["estimators"], *report["bounds"])}
     names = [part["name"] for part in report["estimators"]]
     return [_plot(figure, zetas, points, names, bounds) for figure in FIGURES]
@@ -59,9 +61,5 @@ def _plot(figure: Figure, zetas: Floats, points: dict[str, Any], names: list[str
 
 
 def _line(look: Look, points: list[dict[str, Any]], key: str, figure: Figure, width: float) -> Line:
-    found = [point.get(key) or {} for point in points]
-
-    def column(of: str) -> Floats:
-        return figure.factor * np.array([np.nan if each.get(of) is None else each[of] for each in found])
-
-    return Line(look, column("value"), width, spread=2 * column("standard_error") if figure.spread else None)
+    curve = Curve.of((point.get(key) or {} for point in points), figure.factor)
+    return Line(look, curve.values, width, spread=2 * curve.standard_errors if figure.spread else None)

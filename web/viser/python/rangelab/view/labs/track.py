@@ -20,15 +20,13 @@ from ..readout import Row, Table
 from ..study_page import StudyPage
 from . import drawing
 from .averages import Averaged
-from .field_told import draw_field, field_sentence
-from .obstacles import draw_obstacles, obstacle_handles
-from .placement_boxes import downhill, draw_arrows, draw_boxes
+from .field_told import field_sentence
+from .obstacles import obstacle_handles
+from .room import advice_of, draw_room, field_of
 from .track_averages import averaged_plots, averaged_readout
 from .track_findings import told_at
 from .track_plots import plots_of, shown_bounds
 from .way_points import points_of
-
-FIELD_CELLS = 48
 
 
 @dataclass
@@ -123,13 +121,7 @@ class TrackPicture(Averaged):
             positions = drawing.draw_estimate(canvas, TRACKERS[name], each, step, rim, manner)
             canvas.marks(f"/estimators/{name}/events", shapes.lifted(positions[each.events]), TRACKERS[name], 0.3)
         if self.document:
-            draw_obstacles(canvas, self.document, self.outline)
-            draw_boxes(canvas, self.document)
-        if self.advice is not None:
-            ways = downhill(np.array(self.advice["gradient"]), self.document["placement"]["fixed"])
-            draw_arrows(canvas, run.anchors, ways)
-        if self.field is not None:
-            draw_field(canvas, self.field, self.document)
+            draw_room(canvas, self.document, self.outline, self.field, self.advice)
 
     def _row(self, look: Look, each: EstimatorRun, step: int) -> Row:
         return Row(
@@ -148,10 +140,7 @@ def track(wish: Wish) -> TrackPicture:
         settings = {} if wish.estimators is None else {"enabled": list(wish.estimators)}
         return TrackPicture(wish, source.run(settings), None)
     assert isinstance(source, Scenario)
-    found = source.field(FIELD_CELLS) if wish.field else None
-    document = source.to_dict()
-    advice = source.advise() if wish.advice and document["redraw_anchors"] is None else None
-    return TrackPicture(wish, source.run(wish.trial), found, document, advice)
+    return TrackPicture(wish, source.run(wish.trial), field_of(wish, source), source.to_dict(), advice_of(wish, source))
 
 
 def _anchor(m: int, place: Floats, *, fixed: bool = False) -> Handle:

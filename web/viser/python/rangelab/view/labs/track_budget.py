@@ -9,12 +9,12 @@ import numpy as np
 from ...arrays import Floats
 from ...jobs import Progress
 from ...scenario import Scenario
-from ...studies import Curve, Study
+from ...studies import Curve
 from ..looks import Look
 from ..panel import DEGREES
 from ..plots import Line, Plot
 from ..readout import reading
-from ..study_page import StudyPage
+from ..study_page import PageOfStudy
 from ..uprights import Upright
 from ..words import number
 
@@ -50,30 +50,15 @@ def budget(scenario: Scenario, trials: int, progress: Progress) -> "Budget":
     """
     relative = scenario.to_dict()["estimators"]["threshold"]["kind"] == "relative"
     thresholds = THRESHOLDS * (RELATIVE if relative else 1.0)
-    return Budget(subject(scenario), scenario.budget_study(thresholds, trials, progress=progress))
+    study = scenario.budget_study(thresholds, trials, progress=progress)
+    return Budget(subject(scenario), study.asked, study)
 
 
 @dataclass(frozen=True, eq=False)
-class Budget(StudyPage):
+class Budget(PageOfStudy):
     """Projections in a run and errors at each threshold."""
 
-    of: Any
-    """What was studied."""
-    study: Study
-
-    @property
-    def asked(self) -> int:  # type: ignore[override]
-        """Trials that were asked for."""
-        return self.study.asked
-
-    @property
-    def trials(self) -> int:
-        """Trials that were run."""
-        return self.study.trials
-
-    def holds_for(self, source: Any) -> bool:
-        """Whether no more than the threshold or the estimators differ."""
-        return bool(subject(source) == self.of)
+    subject = staticmethod(subject)
 
     def plots(self, document: dict[str, Any]) -> list[Plot]:
         """Errors over projections spent, and both over the threshold."""
@@ -109,8 +94,7 @@ class Budget(StudyPage):
         rows = self._rows
         for key in keys:
             rows = [row[key] for row in rows]
-        numbers = [[np.nan if row[key] is None else row[key] for row in rows] for key in ("value", "standard_error")]
-        return Curve(*np.array(numbers))
+        return Curve.of(rows)
 
     @cached_property
     def thresholds(self) -> Floats:

@@ -38,26 +38,21 @@ def anchor_draws(scenario: Scenario, trials: int, progress: Progress) -> "Draws"
         Error: in a sentence.
     """
     asked = min(trials, MOST)
-    return Draws(subject(scenario), scenario.anchor_draws(asked, progress=progress), asked)
+    return Draws(subject(scenario), asked, scenario.anchor_draws(asked, progress=progress))
 
 
 @dataclass(frozen=True, eq=False)
 class Draws(StudyPage):
     """Errors of each draw over the condition of its anchors."""
 
-    of: Any
-    """What was studied."""
     draws: AnchorDraws
-    asked: int
+
+    subject = staticmethod(subject)
 
     @property
     def trials(self) -> int:
         """Draws that were made."""
         return len(self.draws.numbers)
-
-    def holds_for(self, source: Any) -> bool:
-        """Whether no more than the estimators that are switched on differ."""
-        return bool(subject(source) == self.of)
 
     def plots(self, document: dict[str, Any]) -> list[Plot]:
         """Points of the draws; levels where the fixed anchors have them. Draws in a plane have no condition."""

@@ -9,7 +9,7 @@ from ...run import EstimatorRun, Run
 from ..panel import DEGREES
 from ..readout import reading
 from ..words import joined
-from .findings import Finding, as_sentence, count_of, weightiest
+from .findings import Finding, first_stopped, weightiest
 from .track_geometry import weak_geometry
 
 CONSISTENT = 0.998
@@ -40,16 +40,11 @@ def runs_at(each: EstimatorRun, step: int) -> bool:
 
 def _stopped(run: Run, step: int) -> Finding | None:
     """Estimators that gave up, with the reason of the first."""
-    gone = [
-        (each.failure, each.label)
+    return first_stopped(
+        (*each.failure, each.label)
         for each in run.estimators.values()
         if each.failure is not None and not runs_at(each, step)
-    ]
-    if not gone:
-        return None
-    (at, reason), label = min(gone, key=lambda each: each[0][0])
-    others = f", and {count_of(len(gone) - 1)} more" if len(gone) > 1 else ""
-    return Finding(f"{label} stopped at step {at + 1}{others}: {as_sentence(reason)}", 100)
+    )
 
 
 def _mirrored(running: list[EstimatorRun], step: int) -> Finding | None:

@@ -11,7 +11,7 @@ from ..panel import DEGREES, Document, Panel
 from . import track_cautions as cautions
 from .averaging import AVERAGES, Kind, averaging_controls
 from .noise import median_distance, median_range, noise_controls
-from .orientation import orientation_control
+from .orientation import orientation_control, start_controls
 from .paths import PATHS, with_path
 from .paths import told as told_of_path
 from .track_budget import budget
@@ -160,8 +160,7 @@ def _kind(dimension: int, document: Document) -> str | None:
 
 
 def _start(panel: Panel) -> None:
-    panel.vector("start.position", "position, m", step=0.1)
-    orientation_control(panel, "start.orientation", "orientation")
+    start_controls(panel)
     panel.vector("initial.position", "guessed position, m", step=0.1)
     orientation_control(panel, "initial.orientation", "guessed orientation")
     panel.note(cautions.on_guess)
