@@ -36,6 +36,11 @@ test("a bar makes the panel larger by pointer, key and double click, and is reme
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("ArrowRight");
   await expect.poll(() => width(page)).toBeCloseTo(designed + 68, -1);
+  await splitter.evaluate((element) => {
+    for (const key of ["ArrowLeft", "ArrowLeft", "ArrowRight", "ArrowLeft"])
+      element.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true }));
+  });
+  await expect.poll(() => width(page), "keys faster than a frame").toBeCloseTo(designed + 100, -1);
 
   const other = await context.newPage();
   await Lab.open(other);
