@@ -6,7 +6,7 @@ use pyo3::buffer::PyBuffer;
 use pyo3::intern;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
-use pyo3::types::PyByteArray;
+use pyo3::types::{PyByteArray, PyTuple};
 
 use crate::error::Error;
 
@@ -47,11 +47,11 @@ fn viewed<'py>(
     kind: &Bound<'py, pyo3::types::PyString>,
     shape: &[usize],
 ) -> PyResult<Bound<'py, PyAny>> {
-    static FROM_BUFFER: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
-    let from_buffer = FROM_BUFFER.get_or_try_init(py, || {
-        Ok::<_, PyErr>(py.import(intern!(py, "numpy"))?.getattr(intern!(py, "frombuffer"))?.unbind())
+    static NDARRAY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+    let ndarray = NDARRAY.get_or_try_init(py, || {
+        Ok::<_, PyErr>(py.import(intern!(py, "numpy"))?.getattr(intern!(py, "ndarray"))?.unbind())
     })?;
-    from_buffer.bind(py).call1((bytes, kind))?.call_method1(intern!(py, "reshape"), (shape,))
+    ndarray.bind(py).call1((PyTuple::new(py, shape)?, kind, bytes))
 }
 
 /// The doubles of an array, row by row, and its shape.

@@ -4,8 +4,7 @@ use std::sync::{Mutex, PoisonError};
 
 use nalgebra::SVector;
 use pyo3::prelude::*;
-use rangelab::math::rotation::rotation_angles;
-use rangelab::model::document::entries::angle_rows;
+use rangelab::math::rotation::{AngleMatrix, rotation_angles};
 use rangelab::model::epoch::{self, Epoch};
 use rangelab::model::estimator_settings::{EstimatorName, EstimatorSettings};
 use rangelab::model::motion::Motion;
@@ -18,7 +17,6 @@ use crate::compute::compute;
 use crate::recording::{Recording, Typed, estimator_name};
 
 /// Steps of one estimator, flat.
-#[derive(Default)]
 pub struct Track {
     dimension: usize,
     epochs: usize,
@@ -33,7 +31,18 @@ pub struct Track {
 
 impl Track {
     fn new(dimension: usize, epochs: usize) -> Self {
-        Self { dimension, epochs, ..Self::default() }
+        let (coordinates, angles) = (dimension * dimension, rotation_angles(dimension).pow(2));
+        Self {
+            dimension,
+            epochs,
+            orientations: Vec::with_capacity(epochs * coordinates),
+            positions: Vec::with_capacity(epochs * dimension),
+            position_covariances: Vec::with_capacity(epochs * coordinates),
+            rotation_covariances: Vec::with_capacity(epochs * angles),
+            nis: Vec::with_capacity(epochs),
+            events: Vec::with_capacity(epochs),
+            failure: None,
+        }
     }
 
     fn push<const D: usize>(&mut self, step: &Step<D>) {
@@ -41,9 +50,9 @@ impl Track {
         self.orientations.extend(step.posterior.orientation.transpose().iter());
         self.positions.extend(step.posterior.position.iter());
         self.position_covariances.extend(step.uncertainty.position_block().transpose().iter());
-        let rows = step.rotation_covariance().map(|matrix| angle_rows::<D>(&matrix).concat());
-        let unknown = || vec![f64::NAN; rotation_angles(D) * rotation_angles(D)];
-        self.rotation_covariances.extend(rows.unwrap_or_else(|_| unknown()));
+        let angles = rotation_angles(D);
+        let covariance = step.rotation_covariance().unwrap_or_else(|_| AngleMatrix::repeat(f64::NAN));
+        self.rotation_covariances.extend(covariance.view((0, 0), (angles, angles)).transpose().iter());
         self.nis.push(step.nis.value);
         self.events.push(step.event);
     }

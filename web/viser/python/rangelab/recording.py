@@ -150,7 +150,7 @@ class Recording:
 
     def track(self, estimator: str = "uc-kf", settings: Document | None = None) -> Track:
         """Runs one tracker alone, without bounds and errors: the fastest way to a track."""
-        return Track(*self._core.track(estimator, to_text(settings or {})))
+        return Track(*self._core.track(estimator, to_text(settings or "{}")))
 
     def localize(self, localizer: str = "ouc-ls", epoch: int = 0, settings: Document | None = None) -> Snapshot:
         """The pose from the ranges of one epoch alone.
