@@ -47,12 +47,13 @@ impl Track {
 
     fn push<const D: usize>(&mut self, step: &Step<D>) {
         // Columns of the transpose are rows.
-        self.orientations.extend(step.posterior.orientation.transpose().iter());
-        self.positions.extend(step.posterior.position.iter());
-        self.position_covariances.extend(step.uncertainty.position_block().transpose().iter());
-        let angles = rotation_angles(D);
+        self.orientations.extend_from_slice(step.posterior.orientation.transpose().as_slice());
+        self.positions.extend_from_slice(step.posterior.position.as_slice());
+        self.position_covariances.extend_from_slice(step.uncertainty.position_block().transpose().as_slice());
         let covariance = step.rotation_covariance().unwrap_or_else(|_| AngleMatrix::repeat(f64::NAN));
-        self.rotation_covariances.extend(covariance.view((0, 0), (angles, angles)).transpose().iter());
+        for row in covariance.row_iter().take(rotation_angles(D)) {
+            self.rotation_covariances.extend(row.iter().take(rotation_angles(D)));
+        }
         self.nis.push(step.nis.value);
         self.events.push(step.event);
     }
