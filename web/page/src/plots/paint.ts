@@ -13,7 +13,7 @@ const POINT_SIZE = 2;
 
 /** What lies below the curves: where values are expected, and how sure averages are. */
 export function paintGround(plot: uPlot, look: Look): void {
-  clipped(plot, () => {
+  clipped(plot, 0, () => {
     for (const band of look.spec.bands) paintBand(plot, look, band);
     for (const line of look.spec.lines)
       if (line.standardErrors && !isFaint(line, look.emphasis)) paintSpread(plot, look, line);
@@ -22,7 +22,8 @@ export function paintGround(plot: uPlot, look: Look): void {
 
 /** What lies above them: marks, events, the threshold. */
 export function paintExtras(plot: uPlot, look: Look): void {
-  clipped(plot, () => {
+  // A mark at an end of the axis is seen whole.
+  clipped(plot, 2 * MARK_SIZE * look.palette.weight * devicePixelRatio, () => {
     look.spec.lines.forEach((line, index) => {
       if (!isFaint(line, look.emphasis)) paintMarks(plot, look, line, index);
       paintEvents(plot, look, line);
@@ -31,10 +32,11 @@ export function paintExtras(plot: uPlot, look: Look): void {
   });
 }
 
-function clipped({ ctx, bbox }: uPlot, paint: () => void): void {
+/** Paints what lies in the plot, and so many canvas pixels to its left and right. */
+function clipped({ ctx, bbox }: uPlot, beside: number, paint: () => void): void {
   ctx.save();
   ctx.beginPath();
-  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  ctx.rect(bbox.left - beside, bbox.top, bbox.width + 2 * beside, bbox.height);
   ctx.clip();
   paint();
   ctx.restore();

@@ -82,6 +82,16 @@ describe("the drawing", () => {
     expect(svg).toContain('stroke-dasharray="7 4"');
   });
 
+  test("cuts no mark at an end of the axis", () => {
+    const number = (tag: string, name: string) => Number(new RegExp(` ${name}="([^"]*)"`).exec(tag)?.[1]);
+    const seen = /<clipPath[^>]*><rect[^>]*>/.exec(svg)?.[0] ?? "";
+    const marks = svg.slice(svg.indexOf('<g clip-path="')).match(/<circle[^>]*>/g) ?? [];
+    const first = Math.min(...marks.map((mark) => number(mark, "cx") - number(mark, "r")));
+    expect(first).toBeGreaterThan(number(seen, "x"));
+    // The box of the axes, which a mark at its end is beyond.
+    expect(first).toBeLessThan(number(/<rect x=[^>]*fill="none"[^>]*>/.exec(svg)?.[0] ?? "", "x"));
+  });
+
   test("has no number that is none", () => {
     expect(svg).not.toMatch(/NaN|Infinity|undefined/);
   });

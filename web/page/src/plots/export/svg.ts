@@ -16,6 +16,8 @@ const AXES = { left: 76, top: 52, width: 640, height: 408 };
 const KEY = { x: AXES.left + AXES.width + 28, row: 24 };
 const FONT = 15;
 const MARK_SPACING = 34;
+/** A mark at an end of the axis is seen whole. */
+const MARK_REACH = 6;
 
 type Attributes = Record<string, string | number>;
 
@@ -41,7 +43,7 @@ export function drawPanel(spec: PlotSpec, scale: ScaleKind, palette: Palette, cl
   return [
     picture.text(titleWithUnit(spec), AXES.left, 32, { "font-size": 20, "font-weight": 600 }),
     picture.axes(),
-    `<clipPath id="${clip}">${element("rect", box())}</clipPath>`,
+    `<clipPath id="${clip}">${element("rect", box(MARK_REACH))}</clipPath>`,
     element("g", { "clip-path": `url(#${clip})` }, picture.contents()),
     element("rect", { ...box(), fill: "none", stroke: palette.css("line") }),
     picture.key(),
@@ -76,8 +78,9 @@ export function svgFile(
   return `<?xml version="1.0" encoding="UTF-8"?>\n${element("svg", root, all.join("\n"))}\n`;
 }
 
-function box(): Attributes {
-  return { x: AXES.left, y: AXES.top, width: AXES.width, height: AXES.height };
+/** The axes, and so many pixels to their left and right. */
+function box(beside = 0): Attributes {
+  return { x: AXES.left - beside, y: AXES.top, width: AXES.width + 2 * beside, height: AXES.height };
 }
 
 class Picture {
